@@ -1,0 +1,48 @@
+# How a folder of the house becomes a target.
+
+add_library(platen_flags INTERFACE)
+target_compile_options(platen_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow)
+if(PLATEN_WARNINGS_AS_ERRORS)
+  target_compile_options(platen_flags INTERFACE -Werror)
+endif()
+if(PLATEN_SANITIZE)
+  target_compile_options(platen_flags INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all
+                                                -fno-omit-frame-pointer)
+  target_link_options(platen_flags INTERFACE -fsanitize=address,undefined)
+endif()
+
+# platen_folder(NAME [folders and libraries it stands on...]): src/NAME/*.cpp as target platen::NAME.
+function(platen_folder name)
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+  add_library(platen_${name} STATIC ${sources})
+  add_library(platen::${name} ALIAS platen_${name})
+  target_include_directories(platen_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(platen_${name} PUBLIC ${ARGN} PRIVATE platen_flags)
+endfunction()
+
+# platen_tests(TIER FOLDER [libraries...]): tests/TIER/FOLDER/*_test.cpp as one program; files that end in
+# _slow_test.cpp become a second program whose tests carry the ctest label "slow".
+function(platen_tests tier folder)
+  file(GLOB quick CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${tier}/${folder}/*_test.cpp)
+  set(slow ${quick})
+  list(FILTER quick EXCLUDE REGEX "_slow_test\\.cpp$")
+  list(FILTER slow INCLUDE REGEX "_slow_test\\.cpp$")
+  foreach(kind quick slow)
+    if(${kind})
+      set(program ${tier}_${folder})
+      if(kind STREQUAL slow)
+        string(APPEND program _slow)
+      endif()
+      add_executable(${program} ${${kind}})
+      target_link_libraries(${program} PRIVATE ${ARGN} GTest::gtest_main platen_flags)
+      target_precompile_headers(${program} PRIVATE <gtest/gtest.h>)
+      target_compile_definitions(${program} PRIVATE PLATEN_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+      set(labels ${tier})
+      if(kind STREQUAL slow)
+        set(labels slow)
+      endif()
+      gtest_discover_tests(${program} DISCOVERY_TIMEOUT 60 TEST_PREFIX ${tier}.${folder}.
+                           PROPERTIES LABELS "${labels}" TIMEOUT 1800)
+    endif()
+  endforeach()
+endfunction()

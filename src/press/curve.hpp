@@ -1,0 +1,44 @@
+#pragma once
+// The curve of a press: one row for each converged step.
+
+#include <string>
+#include <vector>
+
+namespace platen::press {
+
+enum class Branch { loading, unloading, reloading };
+
+/// One converged step; columns of curve.csv under the same names. Forces and overlaps: compression positive.
+/// Energies are those of one side: the whole sphere pressed from both sides, halved.
+struct CurvePoint {
+  int branch_id = 0; ///< 0: loading; others count the branches
+  Branch branch = Branch::loading;
+  double delta_m = 0;
+  double delta_bar = 0; ///< delta/R0
+  double force_N = 0;
+  double F_bar = 0; ///< F/(pi R0^2 sigma_ref)
+  double contact_radius_m = 0;
+  double mean_pressure_Pa = 0;
+  double peak_pressure_Pa = 0;
+  double zone_elastic = 1, zone_shear = 0, zone_compaction = 0, zone_tension = 0; ///< fractions of reference volume
+  double work_J = 0, stored_J = 0, dissipated_J = 0;
+  double rho_r_mean = 1, rho_r_min = 1, rho_r_max = 1;
+  double sigma_1_max_Pa = 0;
+  double equator_displacement_m = 0;
+  int iterations = 0;
+};
+
+/// A curve with what is needed to read it.
+struct Curve {
+  double radius_m = 0;
+  double sigma_ref_Pa = 0;
+  double E_Pa = 0;
+  double nu = 0;
+  std::string experiment;
+  std::string material;
+  std::string version; ///< of the program that pressed; filled by the press
+  int engine = 0;
+  std::vector<CurvePoint> points;
+};
+
+} // namespace platen::press
