@@ -138,6 +138,12 @@ std::string curve_csv(const Curve& curve) {
   return text;
 }
 
+void set_reference_stress(Curve& curve, double sigma_ref_Pa) {
+  curve.sigma_ref_Pa = sigma_ref_Pa;
+  const double unit = std::numbers::pi * curve.radius_m * curve.radius_m * sigma_ref_Pa;
+  for (auto& point : curve.points) point.F_bar = point.force_N / unit;
+}
+
 void write_curve(const Curve& curve, const std::filesystem::path& path) {
   core::write_file(path, curve_csv(curve));
 }
@@ -156,14 +162,16 @@ Curve parse_curve(const std::string& text, const std::string& file, std::optiona
   std::vector<Found> found;
   for (const auto& column : columns)
     if (csv.has_column(column.name)) found.push_back({&column, csv.column(column.name)});
-  const double force_unit = std::numbers::pi * curve.radius_m * curve.radius_m * curve.sigma_ref_Pa;
   for (const auto& row : csv.rows) {
     CurvePoint point;
     for (const auto& [column, index] : found) std::visit(ReadCell{point, csv, row, index}, column->member);
     point.delta_bar = point.delta_m / curve.radius_m;
-    if (force_unit > 0) point.F_bar = point.force_N / force_unit;
+    if (!std::isfinite(point.delta_bar))
+      throw core::InvalidInput(fmt::format("{}, line {}: delta_m is not within reach of radius_m = {}", file, row.line,
+                                           core::number_text(curve.radius_m)));
     curve.points.push_back(point);
   }
+  if (curve.sigma_ref_Pa > 0) set_reference_stress(curve, curve.sigma_ref_Pa);
   if (curve.points.size() < 2)
     throw core::InvalidInput(fmt::format("{}: {} rows; a curve has at least 2", file, curve.points.size()));
   return curve;

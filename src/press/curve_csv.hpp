@@ -12,6 +12,9 @@ namespace platen::press {
 std::string curve_csv(const Curve&);
 void write_curve(const Curve&, const std::filesystem::path&);
 
+/// F_bar of every point from its force.
+void set_reference_stress(Curve&, double sigma_ref_Pa);
+
 /// A curve written by write_curve; or a measured one, with the columns delta_m and force_N alone, whose
 /// radius is given here or as a line "# radius_m = ...". What a measured curve does not say stays 0
 /// (sigma_ref_Pa, E_Pa, nu and, without sigma_ref_Pa, F_bar). InvalidInput names file, line and column.
