@@ -64,9 +64,11 @@ Table parse_toml(std::string_view text, const std::string& file) {
   try {
     return copy(toml::parse(text, file), file, "");
   } catch (const toml::parse_error& error) {
+    std::string why(error.description());
+    for (char& c : why)
+      if (static_cast<unsigned char>(c) < 0x20) c = ' '; // it quotes the card, line breaks and all
     throw InvalidInput(fmt::format("{}, line {}, column {}: this is not TOML: {}", file,
-                                   error.source().begin.line, error.source().begin.column,
-                                   error.description()));
+                                   error.source().begin.line, error.source().begin.column, why));
   }
 }
 

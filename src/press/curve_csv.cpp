@@ -167,8 +167,8 @@ Curve parse_curve(const std::string& text, const std::string& file, std::optiona
     for (const auto& [column, index] : found) std::visit(ReadCell{point, csv, row, index}, column->member);
     point.delta_bar = point.delta_m / curve.radius_m;
     if (!std::isfinite(point.delta_bar))
-      throw core::InvalidInput(fmt::format("{}, line {}: delta_m is not within reach of radius_m = {}", file, row.line,
-                                           core::number_text(curve.radius_m)));
+      throw core::InvalidInput(fmt::format("{}, line {}: delta_m is not within reach of radius_m = {}", file,
+                                           row.line, core::number_text(curve.radius_m)));
     curve.points.push_back(point);
   }
   if (curve.sigma_ref_Pa > 0) set_reference_stress(curve, curve.sigma_ref_Pa);
