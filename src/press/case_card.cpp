@@ -39,7 +39,7 @@ const std::vector<Field<Case>> path_fields = {
 };
 const std::vector<Field<Case>> mesh_fields = {
     Field<Case>{"elements", &Case::elements, "wanted number of elements; the mesh comes close to it",
-                closed(50, 200000)}
+                closed(32, 200000)}
         .optional(),
 };
 const std::vector<Field<Case>> output_fields = {
@@ -140,7 +140,7 @@ std::string case_reference() {
     return core::reference_table(core::infos<Case>(fields), values);
   };
   return fmt::format(
-      "# Case card\n\n{}| `material`| `material` | a name in the catalogue, a path, or a table | text or a "
+      "# Case card\n\n{}| `material` | a name in the catalogue, a path, or a table | text or a "
       "table |\n\n## [path]\n\n{}\n## [mesh]\n\n{}\n## [output]\n\n{}",
       core::reference_table(core::infos<Head>(head_fields)), page(path_fields), page(mesh_fields),
       page(output_fields));
