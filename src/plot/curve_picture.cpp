@@ -1,13 +1,14 @@
 #include "plot/curve_picture.hpp"
 
 #include "core/error.hpp"
+#include "fit/samples.hpp"
+#include "plot/axes.hpp"
 #include "plot/gnuplot.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 namespace platen::plot {
@@ -18,7 +19,6 @@ namespace {
 constexpr const char* press_colour = "#0072b2";
 constexpr const char* law_colour = "#d55e00";
 constexpr const char* unloading_colour = "#7a8793";
-constexpr const char* ink = "#1f2933";
 constexpr const char* grid = "#e3e7eb";
 
 using Points = std::vector<std::pair<double, double>>;
@@ -49,6 +49,20 @@ std::string other_branches(const press::Curve& curve) {
   return result;
 }
 
+/// The unloading law of each branch from separation to the turning point.
+std::string unloading_block(const std::vector<fit::UnloadingFit>& unloading) {
+  constexpr int steps = 40;
+  std::string result = "$unloading << EOD\n";
+  for (const auto& fit : unloading) {
+    for (int i = 0; i <= steps; ++i) {
+      const double x = fit.delta_bar_0 + (fit.delta_bar_max - fit.delta_bar_0) * i / steps;
+      result += fmt::format("{:.8g} {:.8g}\n", x, fit.F_bar(x));
+    }
+    result += '\n';
+  }
+  return result + "EOD\n";
+}
+
 double interpolated(const std::vector<double>& x, const std::vector<double>& y, double at) {
   const auto above = std::upper_bound(x.begin() + 1, x.end() - 1, at) - x.begin();
   const auto i = static_cast<std::size_t>(above);
@@ -65,43 +79,20 @@ Points residuals(const Points& points, const std::vector<double>& delta_bar,
   return result;
 }
 
-struct Unit {
-  const char* name;
-  double in_SI;
-};
-
-/// The largest unit of the list in which the value is at least 1.
-Unit unit_for(double value, const std::vector<Unit>& units) {
-  for (const Unit& unit : units)
-    if (value >= unit.in_SI) return unit;
-  return units.back();
-}
-
-/// A tick distance of 1, 2 or 5 times a power of ten, with about `wanted` ticks.
-double tick(double range, int wanted) {
-  const double raw = range / wanted, power = std::pow(10, std::floor(std::log10(raw)));
-  for (const double step : {1.0, 2.0, 5.0})
-    if (step * power >= raw * 0.999) return step * power;
-  return 10 * power;
-}
-
-/// Second axes in SI units, linked to the first by constant factors.
-std::string second_axes(const press::Curve& curve, double x_max, double y_max) {
-  if (!(curve.radius_m > 0)) return "";
-  const Unit length = unit_for(x_max * curve.radius_m, {{"mm", 1e-3}, {"µm", 1e-6}, {"nm", 1e-9}});
-  const double x_scale = curve.radius_m / length.in_SI;
-  std::string result =
-      fmt::format("set x2range [0:{}]\nset x2tics {} out scale 0.5 offset 0,-0.3 tc rgb '{}'\n"
-                  "set x2label 'overlap δ ({})' offset 0,-0.5 tc rgb '{}'\n",
-                  x_max * x_scale, tick(x_max * x_scale, 8), ink, length.name, ink);
-  const double F_ref = std::numbers::pi * curve.radius_m * curve.radius_m * curve.sigma_ref_Pa;
-  if (!(F_ref > 0)) return result;
-  const Unit force =
-      unit_for(y_max * F_ref, {{"MN", 1e6}, {"kN", 1e3}, {"N", 1}, {"mN", 1e-3}, {"µN", 1e-6}, {"nN", 1e-9}});
-  const double y_scale = F_ref / force.in_SI;
-  return result + fmt::format("set y2range [0:{}]\nset y2tics {} out scale 0.5 tc rgb '{}'\n"
-                              "set y2label 'force F ({})' tc rgb '{}'\n",
-                              y_max * y_scale, tick(y_max * y_scale, 8), ink, force.name, ink);
+/// ": relative L2 2.5 %, peak 2.7 %" when the law is drawn along the whole loading branch.
+std::string errors_text(const Points& points, const std::vector<double>& delta_bar,
+                        const std::vector<double>& F_bar_law, std::size_t residuals) {
+  if (points.size() < 2 || residuals != points.size()) return "";
+  fit::Samples samples;
+  std::vector<double> law;
+  for (const auto& [x, y] : points) {
+    samples.delta_bar.push_back(x);
+    samples.F_bar.push_back(y);
+    law.push_back(interpolated(delta_bar, F_bar_law, x));
+  }
+  samples.weight = fit::trapezoid_weights(samples.delta_bar, 0);
+  const fit::Errors errors = fit::errors(samples, law);
+  return fmt::format(": relative L2 {:.2g} %, peak {:.2g} %", 100 * errors.relative_l2, 100 * errors.e_p);
 }
 
 std::string title(const press::Curve& curve) {
@@ -141,8 +132,8 @@ Ranges ranges(const press::Curve& curve, const std::vector<double>& F_bar_law) {
 }
 
 /// Upper panel: blocks $press, $law, $other are defined before.
-std::string upper_panel(const press::Curve& curve, Ranges range, const std::string& law_name,
-                        bool has_other) {
+std::string upper_panel(const press::Curve& curve, Ranges range, const std::string& law_name, bool has_other,
+                        bool has_unloading_law) {
   const double y_top = range.y_max * 1.06, x_top = range.x_max * 1.02;
   std::string script =
       fmt::format("set title {} offset 0,0.2 noenhanced tc rgb '{}'\nset xrange [0:{}]\nset yrange [0:{}]\n"
@@ -160,6 +151,9 @@ std::string upper_panel(const press::Curve& curve, Ranges range, const std::stri
   if (!law_name.empty())
     script += fmt::format(", $law with lines lw 1.8 dt (8,4) lc rgb '{}' title {}", law_colour,
                           gnuplot_string(law_name));
+  if (has_unloading_law)
+    script +=
+        fmt::format(", $unloading with lines lw 1.2 dt (6,4) lc rgb '{}' title 'law, unloading'", law_colour);
   return script + "\n";
 }
 
@@ -168,21 +162,23 @@ std::string lower_panel(const Points& residual, double x_top) {
   for (const auto& [x, y] : residual) largest = std::max(largest, std::abs(y));
   const double step = tick(std::max(largest, 1e-6) * 1.1, 2),
                top = step * std::ceil(largest * 1.1 / step - 1e-9);
-  return fmt::format(
-      "unset title\nunset x2tics\nunset x2label\nunset y2tics\nunset y2label\nset border 3\nunset key\n"
-      "set xrange [0:{}]\nset yrange [{}:{}]\nset ytics {}\n"
-      "set xlabel 'overlap  δ̄ = δ/R₀' tc rgb '{}'\nset ylabel '(F_{{law}} − F)/F_{{max}}  (%)' tc rgb '{}'\n"
-      "plot 0 with lines lw 1 lc rgb '{}' notitle, "
-      "$residual with filledcurves y=0 fc rgb '{}' fs transparent solid 0.15 notitle, "
-      "$residual with lines lw 1.8 lc rgb '{}' notitle\n",
-      x_top, -std::max(top, 1e-6), std::max(top, 1e-6), step, ink, ink, ink, law_colour, law_colour);
+  return fmt::format("unset title\nunset x2tics\nunset x2label\nunset y2tics\nunset y2label\nset "
+                     "border 3\nunset key\n"
+                     "set xrange [0:{}]\nset yrange [{}:{}]\nset ytics {}\n"
+                     "set xlabel 'overlap  δ̄ = δ/R₀' tc rgb '{}'\nset ylabel '(F_{{law}} − "
+                     "F)/F_{{max}}  (%)' tc rgb '{}'\n"
+                     "plot 0 with lines lw 1 lc rgb '{}' notitle, "
+                     "$residual with filledcurves y=0 fc rgb '{}' fs transparent solid 0.15 notitle, "
+                     "$residual with lines lw 1.8 lc rgb '{}' notitle\n",
+                     x_top, -std::max(top, 1e-6), std::max(top, 1e-6), step, ink, ink, ink, law_colour,
+                     law_colour);
 }
 
 } // namespace
 
 void curve_with_law(const press::Curve& curve, const std::vector<double>& delta_bar,
                     const std::vector<double>& F_bar_law, const std::string& law_name,
-                    const std::filesystem::path& file) {
+                    const std::filesystem::path& file, const std::vector<fit::UnloadingFit>& unloading) {
   if (delta_bar.size() != F_bar_law.size() || delta_bar.size() < 2)
     throw core::InvalidInput(
         fmt::format("a law is drawn through two points or more; it has {} overlaps and {} forces",
@@ -201,10 +197,13 @@ void curve_with_law(const press::Curve& curve, const std::vector<double>& delta_
 
   const std::string other = other_branches(curve);
   std::string script = terminal(file, 800, 680) + data_block("press", press_points) + data_block("law", law) +
-                       data_block("residual", residual) + "$other << EOD\n" + other + "EOD\n" + style();
+                       data_block("residual", residual) + unloading_block(unloading) + "$other << EOD\n" +
+                       other + "EOD\n" + style();
   script += "set multiplot\nset lmargin at screen 0.105\nset rmargin at screen 0.895\n"
             "set tmargin at screen 0.85\nset bmargin at screen 0.335\nset format x ''\n";
-  script += upper_panel(curve, range, law_name, !other.empty());
+  script +=
+      upper_panel(curve, range, law_name + errors_text(press_points, delta_bar, F_bar_law, residual.size()),
+                  !other.empty(), !unloading.empty());
   script += "set format x '%g'\nset tmargin at screen 0.295\nset bmargin at screen 0.095\n";
   script += lower_panel(residual, range.x_max * 1.02) + "unset multiplot\n";
   run_gnuplot(script, file);
@@ -216,7 +215,7 @@ void curve_picture(const press::Curve& curve, const std::filesystem::path& file)
   std::string script = terminal(file, 800, 540) + data_block("press", loading(curve)) + "$other << EOD\n" +
                        other + "EOD\n" + style() +
                        fmt::format("set xlabel 'overlap  δ̄ = δ/R₀' tc rgb '{}'\n", ink);
-  run_gnuplot(script + upper_panel(curve, range, "", !other.empty()), file);
+  run_gnuplot(script + upper_panel(curve, range, "", !other.empty(), false), file);
 }
 
 } // namespace platen::plot

@@ -1,6 +1,7 @@
 #include "plot/field_map.hpp"
 
 #include "core/error.hpp"
+#include "plot/axes.hpp"
 #include "plot/section.hpp"
 
 #include <fmt/format.h>
@@ -96,9 +97,9 @@ void add_colour_bar(Sections& page, const std::vector<std::string>& colours, con
                                     fmt::format("{:.4g}", range.low + at * (range.high - range.low)),
                                     13,
                                     anchor,
-                                    "#1f2933",
+                                    ink,
                                     false});
-  page.scene.items.push_back(Text{{x + width + 12, y + 11}, name, 14, Anchor::start, "#1f2933", false});
+  page.scene.items.push_back(Text{{x + width + 12, y + 11}, name, 14, Anchor::start, ink, false});
   page.scene.height = std::max(page.scene.height, y + height + 16 + page.margin);
 }
 

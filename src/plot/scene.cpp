@@ -63,8 +63,8 @@ struct SvgItem {
   Buffer out;
 
   void operator()(const Polygon& polygon) const {
-    // the hair-thin outline of the same colour closes the seams that anti-aliasing leaves between neighbours
-    fmt::format_to(out, "<path d=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\".4\"/>\n",
+    // the thin outline of the same colour closes the seams that anti-aliasing leaves between neighbours
+    fmt::format_to(out, "<path d=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\".8\"/>\n",
                    path_data(polygon.ring, true), polygon.fill, polygon.fill);
   }
   void operator()(const Line& line) const {

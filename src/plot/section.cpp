@@ -1,6 +1,7 @@
 #include "plot/section.hpp"
 
 #include "core/error.hpp"
+#include "plot/axes.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +12,6 @@ namespace platen::plot {
 
 namespace {
 
-constexpr const char* ink = "#1f2933";
 constexpr const char* pale_ink = "#5b6770";
 constexpr const char* steel = "#52606d";
 constexpr double margin = 24, title_size = 20, label_size = 15, gap = 20;

@@ -1,6 +1,7 @@
 #include "plot/zone_map.hpp"
 
 #include "core/error.hpp"
+#include "plot/axes.hpp"
 #include "plot/section.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +34,7 @@ void zone_map(const std::vector<press::Snapshot>& snapshots, const std::string& 
   for (const std::size_t i : {2u, 1u, 3u, 0u}) {
     const double y = page.legend_top + 7;
     page.scene.items.push_back(Polygon{{{x, y}, {x + 14, y}, {x + 14, y + 14}, {x, y + 14}}, palette[i]});
-    page.scene.items.push_back(Text{{x + 20, y + 12}, names[i], 14, Anchor::start, "#1f2933", false});
+    page.scene.items.push_back(Text{{x + 20, y + 12}, names[i], 14, Anchor::start, ink, false});
     x += 20 + 8.0 * static_cast<double>(names[i].size()) + 14;
   }
   page.scene.description =

@@ -73,7 +73,7 @@ RC_GTEST_PROP(FitEdmansSinka, RecoversRandomParameters, ()) {
   RC_PRE(variant == EdmansSinkaVariant::hertz_like || std::abs(a * delta_t - 1) > 0.1);
   RC_PRE(variant != EdmansSinkaVariant::c1 || delta_t < 0.3);
   const auto fit =
-      fit::fit_edmans_sinka(curve_of(edmans_sinka(k, delta_t, a, variant)), fit::name_of(variant));
+      fit::fit_edmans_sinka(curve_of(edmans_sinka(k, delta_t, a, variant), 100), fit::name_of(variant));
   RC_ASSERT(fit.errors.relative_l2 < 1e-6);
   RC_ASSERT(std::abs(fit.k / k - 1) < 1e-4);
   RC_ASSERT(std::abs(fit.delta_t / delta_t - 1) < 1e-3);
