@@ -1,0 +1,165 @@
+#pragma once
+// Compressible plastic particles: a linear, then exponential law fitted to finite-element curves.
+// Edmans & Sinka, "Numerical derivation of a normal contact law for compressible plastic particles": loading
+// (6), unloading (9)-(14). Which material gives which parameters: edmans_sinka_appendix.hpp.
+//
+//   F_bar = k x                          x <= delta_t           x = delta/R, F_bar = F/(pi R^2 sigma_ref)
+//   F_bar = k delta_t exp(a (x-delta_t))  x >  delta_t                                               (6)
+//
+// Valid for x <= 0.5. The paper gives no contact radius: ours is of the form of Shahin's (2.13), fitted to
+// finite elements (von Mises, E/sigma_y = 100), see docs/laws/edmans-sinka.md.
+
+#include "platen/law/contact.hpp"
+#include "platen/law/edmans_sinka_curve.hpp"
+#include "platen/law/pair.hpp"
+#include "platen/law/radius_polynomial.hpp"
+
+#include <tuple>
+
+namespace platen::law {
+
+/// Ours: least squares of a/(R sqrt(x)) to independent finite elements (von Mises, E/sigma_y = 100, x from
+/// 0.05 to 0.5); within 2.2 % there, 10 % too large at x = 0.02, where the contact is still half elastic.
+inline constexpr RadiusPolynomial<double> edmans_sinka_radius{1.455, 0.973, 1.640};
+
+/// One particle material as a law card writes it.
+struct EdmansSinkaMaterial {
+  double sigma_ref = 0; ///< stress that makes F dimensionless, the yield stress of the material card [Pa]
+  double E = 0;         ///< Young's modulus, for unloading [Pa]
+  double nu = 0;        ///< Poisson's ratio, in [0, 0.5)
+  double k = 0;         ///< (6) [-]
+  double delta_t = 0;   ///< (6), in delta/R [-]
+  double a = 0;         ///< (6) [-]
+  EdmansSinkaVariant variant = EdmansSinkaVariant::published;
+  double corner = 0.5; ///< c1 only, see EdmansSinkaCurve
+  RadiusPolynomial<double> radius = edmans_sinka_radius;
+
+  /// Unloading (9)-(14): alpha and the secant stiffness ratio beta (11) at these delta_bar, linear between,
+  /// held outside. None: the generic unloading of contact.hpp.
+  static constexpr int most_unloadings = 8;
+  int unloadings = 0;
+  double unload_delta_bar[most_unloadings] = {};
+  double alpha[most_unloadings] = {};
+  double beta[most_unloadings] = {};
+};
+
+template <class Real = double> struct EdmansSinka {
+  using Scalar = Real;
+  EdmansSinkaCurve<Real> curve;
+  RadiusPolynomial<Real> radius;
+  Real steepest_in_corner{}; ///< of the rounded corner, c1 only
+  Real radius_log_slope{};   ///< least d ln a / d ln x below x_end, hence of the unloading slope
+  BasicPair<Real> pair;
+  Real force_scale{};   ///< pi R_e^2 sigma_ref [N]
+  Real gamma_elastic{}; ///< 0: the law has no elastic range
+  Real gamma_limit{};
+  int unloadings = 0;
+  Real unload_x[EdmansSinkaMaterial::most_unloadings]{};
+  Real alpha[EdmansSinkaMaterial::most_unloadings]{};
+  Real beta[EdmansSinkaMaterial::most_unloadings]{};
+
+  [[nodiscard]] PLATEN_FUNCTION Loading<Real> loading(const Real& gamma) const {
+    const Real x = gamma * pair.x_per_gamma;
+    const auto point = curve.at(x);
+    return {force_scale * point.F_bar, force_scale * pair.x_per_gamma * point.slope,
+            pair.R_e * radius.a_bar(smaller(x, Real(EdmansSinkaCurve<Real>::x_end)))};
+  }
+
+  [[nodiscard]] PLATEN_FUNCTION bool in_range(const Real& gamma) const {
+    return gamma * pair.x_per_gamma <= Real(EdmansSinkaCurve<Real>::x_valid);
+  }
+
+  [[nodiscard]] PLATEN_FUNCTION Real work(const Real& gamma) const {
+    return force_scale / pair.x_per_gamma * curve.work(gamma * pair.x_per_gamma);
+  }
+
+  [[nodiscard]] PLATEN_FUNCTION Unloading<Real> unloading(const Real& gamma,
+                                                          const Loading<Real>& peak) const {
+    using std::cbrt;
+    const Real x = gamma * pair.x_per_gamma;
+    const Real n_star = curve.steepest_log_slope(x, steepest_in_corner);
+    if (unloadings == 0)
+      return unloading_from_slope(gamma, peak.F, pair.unloading_slope(peak.a), Real(1.5), n_star,
+                                  x < Real(EdmansSinkaCurve<Real>::x_end) ? radius_log_slope : Real(0));
+    int i = 0;
+    while (i + 2 < unloadings && unload_x[i + 1] < x) ++i;
+    Real al = alpha[0], be = beta[0];
+    if (unloadings > 1) {
+      const Real t = larger(Real(0), smaller(Real(1), (x - unload_x[i]) / (unload_x[i + 1] - unload_x[i])));
+      al = alpha[i] + t * (alpha[i + 1] - alpha[i]);
+      be = beta[i] + t * (beta[i + 1] - beta[i]);
+    }
+    // (10), (12): the overlap at which Hertz carries this force; (11): beta = that over gamma_max - gamma_0
+    const Real q = Real(0.75) * peak.F / pair.E_star;
+    const Real gamma_hertz = cbrt(q * q * pair.A);
+    return unloading_from_slope(gamma, peak.F, al * be * peak.F / gamma_hertz, al, n_star, Real(0));
+  }
+};
+
+namespace detail {
+
+inline void check(const EdmansSinkaMaterial& m) {
+  constexpr auto name = "edmans-sinka";
+  require(name, "sigma_ref_Pa", m.sigma_ref, positive);
+  require(name, "E_Pa", m.E, positive);
+  require(name, "nu", m.nu, poisson);
+  require(name, "k", m.k, positive);
+  require(name, "delta_t", m.delta_t, {0, 1, true, false});
+  require(name, "a", m.a, {0, 50, true, false}); // exp(50) is past any stress
+  // The rounding cubic rises everywhere while its end slopes stay below three times its secant
+  // (Fritsch-Carlson), which holds for a delta_t corner <= 0.85.
+  const bool rounded = m.variant == EdmansSinkaVariant::c1;
+  require(name, "corner", m.corner, {0, rounded ? smaller(1.0, 0.85 / (m.a * m.delta_t)) : 1.0, true, true});
+  require(name, "unloadings", m.unloadings, {0, EdmansSinkaMaterial::most_unloadings});
+  for (int i = 0; i < m.unloadings; ++i) {
+    require(name, "unload_delta_bar", m.unload_delta_bar[i],
+            {i > 0 ? m.unload_delta_bar[i - 1] : 0, infinity, true, true});
+    require(name, "alpha", m.alpha[i], {1, 10});
+    require(name, "beta", m.beta[i], positive);
+  }
+}
+
+inline auto strength(const EdmansSinkaMaterial& m) {
+  return std::make_tuple(m.sigma_ref * m.k * m.delta_t, m.sigma_ref, m.k, m.a, m.corner, m.variant);
+}
+
+} // namespace detail
+
+/// Two bodies of radii R1 and R2. Unlike materials: the softer side's loading curve, both sides' elasticity.
+inline EdmansSinka<double> prepare(const EdmansSinkaMaterial& m1, double R1, const EdmansSinkaMaterial& m2,
+                                   double R2) {
+  detail::check(m1);
+  detail::check(m2);
+  require("edmans-sinka", "radius_m", R1, radius);
+  require("edmans-sinka", "radius2_m", R2, radius);
+  const EdmansSinkaMaterial& soft = detail::strength(m1) <= detail::strength(m2) ? m1 : m2;
+  EdmansSinka<double> law;
+  law.pair = make_pair(sphere(R1, m1.E, m1.nu), sphere(R2, m2.E, m2.nu)); // R = infinity is a plane
+  law.curve = {soft.k, soft.delta_t, soft.a, soft.corner, soft.variant};
+  law.steepest_in_corner = law.curve.steepest_in_corner();
+  law.radius = soft.radius;
+  law.radius_log_slope = soft.radius.least_log_slope(EdmansSinkaCurve<double>::x_end);
+  law.force_scale = std::numbers::pi * law.pair.R_e * law.pair.R_e * soft.sigma_ref;
+  law.gamma_limit = 1000 / law.pair.x_per_gamma;
+  law.unloadings = soft.unloadings;
+  for (int i = 0; i < soft.unloadings; ++i) {
+    law.unload_x[i] = soft.unload_delta_bar[i];
+    law.alpha[i] = soft.alpha[i];
+    law.beta[i] = soft.beta[i];
+  }
+  return law;
+}
+
+/// Two equal spheres.
+inline EdmansSinka<double> prepare(const EdmansSinkaMaterial& m, double R) { return prepare(m, R, m, R); }
+
+/// A sphere against a rigid plane.
+inline EdmansSinka<double> prepare_on_rigid_plane(const EdmansSinkaMaterial& m, double R) {
+  EdmansSinka<double> law = prepare(m, R);
+  law.pair = make_pair(sphere(R, m.E, m.nu), rigid_plane());
+  law.force_scale = std::numbers::pi * law.pair.R_e * law.pair.R_e * m.sigma_ref;
+  law.gamma_limit = 1000 / law.pair.x_per_gamma;
+  return law;
+}
+
+} // namespace platen::law
