@@ -90,8 +90,8 @@ inline Similarity<double> prepare(const SimilarityMaterial& m1, double R1, const
                                   double R2) {
   detail::check(m1);
   detail::check(m2);
-  require("similarity", "radius_m", R1, radius);
-  require("similarity", "radius2_m", R2, radius);
+  require("similarity", "radius_m", R1, radius_or_plane);
+  require("similarity", "radius2_m", R2, radius_or_plane);
   require("similarity", "inverse_m of the second side", m2.inverse_m, {m1.inverse_m, m1.inverse_m});
   Similarity<double> law;
   law.pair = make_pair(sphere(R1, m1.E, m1.nu), sphere(R2, m2.E, m2.nu));

@@ -163,15 +163,15 @@ inline Wang<double> prepare_wang(const WangMaterial& m1, const Body& one, const 
 } // namespace detail
 
 inline Wang<double> prepare(const WangMaterial& m1, double R1, const WangMaterial& m2, double R2) {
-  require("wang", "radius_m", R1, radius);
-  require("wang", "radius2_m", R2, radius);
+  require("wang", "radius_m", R1, radius_or_plane);
+  require("wang", "radius2_m", R2, radius_or_plane);
   return detail::prepare_wang(m1, sphere(R1, m1.E, m1.nu), m2, sphere(R2, m2.E, m2.nu));
 }
 
 inline Wang<double> prepare(const WangMaterial& m, double R) { return prepare(m, R, m, R); }
 
 inline Wang<double> prepare_on_rigid_plane(const WangMaterial& m, double R) {
-  require("wang", "radius_m", R, radius);
+  require("wang", "radius_m", R, radius_or_plane);
   return detail::prepare_wang(m, sphere(R, m.E, m.nu), m, rigid_plane());
 }
 
