@@ -112,7 +112,12 @@ template <class Real> PLATEN_FUNCTION Real mean_pressure(const Real& F, const Re
 template <class Law, class Real>
 PLATEN_FUNCTION Real dissipated_work(const Law& law, const Real& gamma_max, const Real& F_max,
                                      const Unloading<Real>& end) {
-  return law.work(gamma_max) - F_max * (gamma_max - end.gamma_0) / (Real(1) + end.alpha);
+  Real back = F_max * (gamma_max - end.gamma_0) / (Real(1) + end.alpha);
+  if (end.gamma_0 < Real(0)) { // only some published curves, which still carry force when the bodies part
+    const Real xi = end.gamma_0 / (end.gamma_0 - gamma_max);
+    back = back * (Real(1) - xi * power(xi, end.alpha));
+  }
+  return law.work(gamma_max) - back;
 }
 
 } // namespace detail
@@ -157,7 +162,7 @@ PLATEN_FUNCTION BasicResponse<Real> evaluate(const Law& law, const BasicState<Re
   }
   const BasicState<Real>& s = now.state;
   now.dissipated_work = detail::dissipated_work(law, s.gamma_max, s.F_max, {s.gamma_0, s.alpha});
-  if (gamma <= s.gamma_0) return now;
+  if (gamma <= s.gamma_0 || !(gamma > Real(0))) return now;
   const Real xi = (gamma - s.gamma_0) / (s.gamma_max - s.gamma_0);
   const Real shrink = power(xi, s.alpha - Real(1));
   now.force = s.F_max * xi * shrink;

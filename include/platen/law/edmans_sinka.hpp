@@ -130,8 +130,8 @@ inline EdmansSinka<double> prepare(const EdmansSinkaMaterial& m1, double R1, con
                                    double R2) {
   detail::check(m1);
   detail::check(m2);
-  require("edmans-sinka", "radius_m", R1, radius);
-  require("edmans-sinka", "radius2_m", R2, radius);
+  require("edmans-sinka", "radius_m", R1, radius_or_plane);
+  require("edmans-sinka", "radius2_m", R2, radius_or_plane);
   const EdmansSinkaMaterial& soft = detail::strength(m1) <= detail::strength(m2) ? m1 : m2;
   EdmansSinka<double> law;
   law.pair = make_pair(sphere(R1, m1.E, m1.nu), sphere(R2, m2.E, m2.nu)); // R = infinity is a plane

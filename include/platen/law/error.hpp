@@ -30,7 +30,7 @@ struct Range {
 
 inline constexpr Range positive{0, infinity, true, true};
 inline constexpr Range non_negative{0, infinity, false, true};
-inline constexpr Range radius{0, infinity, true, false}; ///< infinity is a plane
+inline constexpr Range radius_or_plane{0, infinity, true, false}; ///< infinity is a plane
 inline constexpr Range poisson{0, 0.5, false, true};
 
 inline std::string text(const Range& range) {

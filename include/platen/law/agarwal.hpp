@@ -1,0 +1,200 @@
+#pragma once
+// Elastic, perfectly plastic spheres to large deformation, alone, in a die or under hydrostatic loading: the
+// law of chapter 2 of Shahin's thesis (Agarwal, Shahin & Gonzalez) for two bodies of any size. Formulas,
+// validity and errata: agarwal_curve.hpp. Dissimilar sides (docs/explanation/dissimilar-spheres.md):
+//   F = pi R_e^2 sigma_soft F_bar(x; lambda_e),  lambda_e = E* A R_e/sigma_soft,  zeta of the softer side
+// The confined cases are cells of equal particles; with dissimilar ones they are an extrapolation.
+//
+// Past the validity the curve goes on along its formula for a fifth, then along its tangent.
+
+#include "platen/law/agarwal_curve.hpp"
+#include "platen/law/curve_table.hpp"
+#include "platen/law/pair.hpp"
+
+#include <tuple>
+
+namespace platen::law {
+
+struct AgarwalMaterial {
+  double E = 0;       ///< Young's modulus [Pa]
+  double nu = 0;      ///< Poisson's ratio, in [0, 0.5)
+  double sigma_y = 0; ///< uniaxial yield stress [Pa]
+  LoadingCase loading = LoadingCase::simple;
+  AgarwalVariant variant = AgarwalVariant::hertz_radius; ///< the same on both sides
+};
+
+struct Agarwal {
+  using Scalar = double;
+  Pair pair;
+  double force_scale = 0;   ///< pi R_e^2 sigma_soft [N]
+  double gamma_elastic = 0; ///< (2.17) [m]
+  double gamma_limit = 0;   ///< [m]
+  bool material_in_range = true;
+  AgarwalCurve<double> curve; ///< exact; the tables follow it to 1e-4
+  double x_first = 0;         ///< the published force is unreliable below 0.05
+  double x_valid = 0.5;
+  double x_cap = 0.6; ///< from here on the tangent
+  LogTable plastic;   ///< x_y to x_min, or to x_cap in simple loading
+  ClosureTable closure;
+  Loading<double> cap; ///< F_bar, dF_bar/dx and a_bar at x_cap
+  CurveHistory at_cap;
+
+  /// F_bar and dF_bar/dx
+  PLATEN_FUNCTION void force(double x, double& F, double& slope) const {
+    if (x <= curve.x_y) {
+      const auto point = curve.at(x);
+      F = point.F;
+      slope = point.slope;
+    } else if (x <= plastic.x_high) {
+      plastic.at(x, F, slope);
+    } else if (x <= x_cap) {
+      if (x <= closure.x_high) {
+        closure.at(x, F, slope);
+      } else {
+        const auto point = curve.at(x);
+        F = point.F;
+        slope = point.slope;
+      }
+    } else {
+      F = cap.F + cap.slope * (x - x_cap);
+      slope = cap.slope;
+    }
+  }
+
+  [[nodiscard]] PLATEN_FUNCTION Loading<double> loading(double gamma) const {
+    const double x = gamma * pair.x_per_gamma;
+    double F = 0, slope = 0, a = 0, a_log_slope = 0;
+    force(x, F, slope);
+    curve.contact_radius(x < x_cap ? x : x_cap, a, a_log_slope);
+    return {force_scale * F, force_scale * pair.x_per_gamma * slope, pair.R_e * a};
+  }
+
+  [[nodiscard]] PLATEN_FUNCTION bool in_range(double gamma) const {
+    const double x = gamma * pair.x_per_gamma;
+    return material_in_range && x >= x_first && x <= x_valid;
+  }
+
+  /// Work, steepest log slope and least growth of the radius, up to x.
+  [[nodiscard]] PLATEN_FUNCTION CurveHistory history(double x) const {
+    if (x <= curve.x_y) return {elastic_work(x), 1.5, curve.radius.log_slope(x)};
+    if (x <= plastic.x_high) return plastic.history(x);
+    if (x <= closure.x_high) return closure.history(x);
+    if (x <= x_cap) {
+      CurveHistory h = closure.end;
+      const auto point = curve.at(x);
+      h.work += volumetric_work(x);
+      h.steepest = larger(h.steepest, x * point.slope / point.F);
+      h.least_a = at_cap.least_a;
+      return h;
+    }
+    CurveHistory h = at_cap;
+    h.work += (x - x_cap) * (cap.F + cap.slope * (x - x_cap) / 2);
+    h.least_a = 0; // the radius is held
+    return h;
+  }
+
+  [[nodiscard]] PLATEN_FUNCTION double work(double gamma) const {
+    return force_scale / pair.x_per_gamma * history(gamma * pair.x_per_gamma).work;
+  }
+
+  [[nodiscard]] PLATEN_FUNCTION Unloading<double> unloading(double gamma, const Loading<double>& peak) const {
+    const double x = gamma * pair.x_per_gamma;
+    const CurveHistory h = history(x);
+    // The finite size of the sphere stiffens the unloading; faded in from yield on, where unloading is
+    // Hertz's.
+    const double S = pair.unloading_slope(peak.a, 1 - curve.x_y / x);
+    return unloading_from_slope(gamma, peak.F, S, 1.5, h.steepest, h.least_a);
+  }
+
+  /// Integral of the elastic F_bar: 4 lambda/(3 pi) sqrt(x) a_bar^2.
+  [[nodiscard]] PLATEN_FUNCTION double elastic_work(double x) const {
+    const double scale = 4 / (3 * std::numbers::pi) * curve.lambda * x * x * std::sqrt(x);
+    if (curve.variant == AgarwalVariant::hertz_radius) return scale / 2.5;
+    const double D1 = curve.radius.D1, D3 = curve.radius.D3, D5 = curve.radius.D5;
+    return scale * (D1 * D1 / 2.5 +
+                    x * (-2 * D1 * D3 / 3.5 +
+                         x * ((D3 * D3 + 2 * D1 * D5) / 4.5 + x * (-2 * D3 * D5 / 5.5 + x * D5 * D5 / 6.5))));
+  }
+
+  /// From x_zp to x; the integrand is a polynomial of degree 8, which five Gauss points integrate exactly.
+  [[nodiscard]] PLATEN_FUNCTION double volumetric_work(double x) const {
+    const double point[3] = {0, 0.5384693101056831, 0.9061798459386640};
+    const double weight[3] = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+    const double half = (x - closure.x_high) / 2, middle = (x + closure.x_high) / 2;
+    double sum = weight[0] * curve.F_bar(middle);
+    for (int i = 1; i < 3; ++i)
+      sum += weight[i] * (curve.F_bar(middle - half * point[i]) + curve.F_bar(middle + half * point[i]));
+    return half * sum;
+  }
+};
+
+namespace detail {
+
+inline Agarwal prepare_agarwal(const AgarwalMaterial& m1, const Body& one, const AgarwalMaterial& m2,
+                               const Body& two) {
+  constexpr auto name = "agarwal";
+  for (const AgarwalMaterial& m : {m1, m2}) {
+    require(name, "E_Pa", m.E, positive);
+    require(name, "nu", m.nu, poisson);
+    require(name, "sigma_y_Pa", m.sigma_y, positive);
+  }
+  if (m1.loading != m2.loading || m1.variant != m2.variant)
+    throw BadParameter("agarwal: both sides must have the same loading and variant");
+  const auto key = [](const AgarwalMaterial& m) { return std::make_tuple(m.sigma_y, m.E, m.nu); };
+  const AgarwalMaterial& soft = key(m1) <= key(m2) ? m1 : m2;
+
+  Agarwal law;
+  law.pair = make_pair(one, two);
+  const double lambda = law.pair.E_star * law.pair.sharing() / soft.sigma_y;
+  const double zeta = soft.E / (3 * (1 - 2 * soft.nu)) / soft.sigma_y;
+  require(name, "lambda = E/((1 - nu^2) sigma_y)", lambda, {22.1, infinity, false, true});
+  law.force_scale = std::numbers::pi * law.pair.R_e * law.pair.R_e * soft.sigma_y;
+  law.material_in_range = lambda >= 117 && lambda <= 5934; // the simulations of Table A.1
+  law.curve = AgarwalCurve<double>::make(soft.loading, soft.variant, lambda, zeta);
+  const AgarwalCurve<double>& curve = law.curve;
+  law.gamma_elastic = curve.x_y / law.pair.x_per_gamma;
+  law.gamma_limit = 1000 / law.pair.x_per_gamma;
+  law.x_first = soft.variant == AgarwalVariant::published ? 0.05 : 0;
+
+  const auto sample = [&](double x) {
+    const auto point = curve.at(x);
+    return TableSample{point.F, point.slope, point.a_log_slope};
+  };
+  const CurveHistory yielded{law.elastic_work(curve.x_y), 1.5, 0.5};
+  if (soft.loading == LoadingCase::simple) {
+    law.plastic.make(curve.x_y, law.x_cap, yielded, sample);
+    law.at_cap = law.plastic.end;
+  } else {
+    const double x_filled = x_of_filled_cell(soft.loading);
+    law.x_valid = 1.03 * x_filled; // "beyond ... by a small margin", 2.3
+    law.x_cap = larger(1.2 * x_filled, 1.05 * curve.x_zp);
+    law.plastic.make(curve.x_y, curve.x_min, yielded, sample);
+    law.closure.make(soft.loading, curve.chi_min, curve.chi_zp, curve.l, 1.0, law.plastic.end, sample);
+    law.at_cap = law.closure.end;
+    for (int i = 0; i <= 64; ++i) {
+      const double x = law.closure.x_high + (law.x_cap - law.closure.x_high) * i / 64;
+      law.at_cap.pass(x, sample(x));
+    }
+    law.at_cap.work += law.volumetric_work(law.x_cap);
+  }
+  const auto end = curve.at(law.x_cap);
+  law.cap = {end.F, end.slope, end.a};
+  return law;
+}
+
+} // namespace detail
+
+inline Agarwal prepare(const AgarwalMaterial& m1, double R1, const AgarwalMaterial& m2, double R2) {
+  require("agarwal", "radius_m", R1, radius_or_plane);
+  require("agarwal", "radius2_m", R2, radius_or_plane);
+  return detail::prepare_agarwal(m1, sphere(R1, m1.E, m1.nu), m2, sphere(R2, m2.E, m2.nu));
+}
+
+inline Agarwal prepare(const AgarwalMaterial& m, double R) { return prepare(m, R, m, R); }
+
+inline Agarwal prepare_on_rigid_plane(const AgarwalMaterial& m, double R) {
+  require("agarwal", "radius_m", R, radius_or_plane);
+  return detail::prepare_agarwal(m, sphere(R, m.E, m.nu), m, rigid_plane());
+}
+
+} // namespace platen::law

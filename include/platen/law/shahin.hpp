@@ -1,0 +1,155 @@
+#pragma once
+// Rigid-plastic spheres with power-law hardening to large deformation, alone, in a die or under hydrostatic
+// loading: the law of chapter 3 of Shahin's thesis for two bodies of any size. Formulas, validity and errata:
+// shahin_curve.hpp. Dissimilar sides (docs/explanation/dissimilar-spheres.md):
+//   F = pi R_e^2 kappa_e F_bar(x; 1/m),  kappa_e = kappa_bar (A R_e)^(1/m),  kappa_bar of similarity.hpp
+// E and nu serve unloading only. The thesis presses with unstated elasticity, "rigid": use E/kappa >= 1000 to
+// compare with it. Before the cell is full, where (3.58) diverges, the tangent takes over.
+
+#include "platen/law/curve_table.hpp"
+#include "platen/law/pair.hpp"
+#include "platen/law/shahin_curve.hpp"
+#include "platen/law/similarity.hpp"
+
+namespace platen::law {
+
+struct ShahinMaterial {
+  double E = 0;         ///< Young's modulus, for unloading [Pa]
+  double nu = 0;        ///< Poisson's ratio, in [0, 0.5)
+  double kappa = 0;     ///< strength coefficient [Pa]
+  double inverse_m = 0; ///< hardening exponent 1/m, in [0, 1]; the same on both sides
+  LoadingCase loading = LoadingCase::simple;
+  ShahinVariant variant = ShahinVariant::published;
+};
+
+struct Shahin {
+  using Scalar = double;
+  Pair pair;
+  double force_scale = 0;   ///< pi R_e^2 kappa_e [N]
+  double gamma_elastic = 0; ///< 0: rigid-plastic
+  double gamma_limit = 0;
+  ShahinCurve<double> curve; ///< exact; the tables follow it to 1e-4
+  double x_valid = 0.5;
+  double x_cap = 0.6;            ///< from here on the tangent
+  double first_log_slope = 1.25; ///< below the table: a power of x
+  Loading<double> first;         ///< F_bar at the start of the table
+  LogTable plastic;
+  ClosureTable closure;
+  Loading<double> cap;
+  CurveHistory at_cap;
+
+  static constexpr double x_table = 0x1p-24; ///< the table starts here
+  static constexpr double X_end = 0.9995;    ///< how far towards the full cell (3.58) is followed
+
+  PLATEN_FUNCTION void force(double x, double& F, double& slope) const {
+    if (x < plastic.x_low) {
+      F = first.F * std::pow(x / plastic.x_low, first_log_slope);
+      slope = first_log_slope * F / x;
+    } else if (x <= plastic.x_high) {
+      plastic.at(x, F, slope);
+    } else if (x <= x_cap) {
+      closure.at(x, F, slope);
+    } else {
+      F = cap.F + cap.slope * (x - x_cap);
+      slope = cap.slope;
+    }
+  }
+
+  [[nodiscard]] PLATEN_FUNCTION Loading<double> loading(double gamma) const {
+    const double x = gamma * pair.x_per_gamma;
+    double F = 0, slope = 0;
+    force(x, F, slope);
+    return {force_scale * F, force_scale * pair.x_per_gamma * slope,
+            pair.R_e * curve.radius.a_bar(x < x_cap ? x : x_cap)};
+  }
+
+  [[nodiscard]] PLATEN_FUNCTION bool in_range(double gamma) const {
+    return gamma * pair.x_per_gamma <= x_valid;
+  }
+
+  [[nodiscard]] PLATEN_FUNCTION CurveHistory history(double x) const {
+    if (x < plastic.x_low) {
+      double F = 0, slope = 0;
+      force(x, F, slope);
+      return {F * x / (1 + first_log_slope), first_log_slope, 0.5};
+    }
+    if (x <= plastic.x_high) return plastic.history(x);
+    if (x <= x_cap) return closure.history(x);
+    CurveHistory h = at_cap;
+    h.work += (x - x_cap) * (cap.F + cap.slope * (x - x_cap) / 2);
+    h.least_a = 0; // the radius is held
+    return h;
+  }
+
+  [[nodiscard]] PLATEN_FUNCTION double work(double gamma) const {
+    return force_scale / pair.x_per_gamma * history(gamma * pair.x_per_gamma).work;
+  }
+
+  [[nodiscard]] PLATEN_FUNCTION Unloading<double> unloading(double gamma, const Loading<double>& peak) const {
+    const CurveHistory h = history(gamma * pair.x_per_gamma);
+    return unloading_from_slope(gamma, peak.F, pair.unloading_slope(peak.a), 1.5, h.steepest, h.least_a);
+  }
+};
+
+namespace detail {
+
+inline Shahin prepare_shahin(const ShahinMaterial& m1, const Body& one, const ShahinMaterial& m2,
+                             const Body& two) {
+  constexpr auto name = "shahin";
+  for (const ShahinMaterial& m : {m1, m2}) {
+    require(name, "E_Pa", m.E, {0, infinity, true, false});
+    require(name, "nu", m.nu, poisson);
+    require(name, "kappa_Pa", m.kappa, {0, infinity, true, false}); // infinity: a rigid side
+    require(name, "inverse_m", m.inverse_m, {0, 1});
+  }
+  if (m1.loading != m2.loading || m1.variant != m2.variant || m1.inverse_m != m2.inverse_m)
+    throw BadParameter("shahin: both sides must have the same inverse_m, loading and variant");
+  const double kappa_bar = similarity_strength(m1.kappa, m2.kappa, m1.inverse_m);
+  require(name, "kappa_Pa of the softer side", kappa_bar, positive);
+
+  Shahin law;
+  law.pair = make_pair(one, two);
+  law.force_scale =
+      std::numbers::pi * law.pair.R_e * law.pair.R_e * kappa_bar * std::pow(law.pair.sharing(), m1.inverse_m);
+  law.curve = ShahinCurve<double>::make(m1.loading, m1.inverse_m, m1.variant);
+  law.gamma_limit = 1000 / law.pair.x_per_gamma;
+  const ShahinCurve<double>& curve = law.curve;
+  const auto sample = [&](double x) {
+    const auto point = curve.at(x);
+    return TableSample{point.F, point.slope, point.a_log_slope};
+  };
+  const auto first = curve.at(Shahin::x_table);
+  law.first = {first.F, first.slope, first.a};
+  law.first_log_slope = Shahin::x_table * first.slope / first.F;
+  const CurveHistory start{first.F * Shahin::x_table / (1 + law.first_log_slope), law.first_log_slope, 0.5};
+  if (m1.loading == LoadingCase::simple) {
+    law.plastic.make(Shahin::x_table, law.x_cap, start, sample);
+    law.at_cap = law.plastic.end;
+  } else {
+    law.plastic.make(Shahin::x_table, curve.x_min, start, sample);
+    law.closure.make(m1.loading, curve.chi_min, 1.0, 1.0, Shahin::X_end, law.plastic.end, sample);
+    law.at_cap = law.closure.end;
+    law.x_valid = law.x_cap = law.closure.x_high;
+  }
+  const auto end = curve.at(law.x_cap);
+  law.cap = {end.F, end.slope, end.a};
+  return law;
+}
+
+} // namespace detail
+
+inline Shahin prepare(const ShahinMaterial& m1, double R1, const ShahinMaterial& m2, double R2) {
+  require("shahin", "radius_m", R1, radius_or_plane);
+  require("shahin", "radius2_m", R2, radius_or_plane);
+  return detail::prepare_shahin(m1, sphere(R1, m1.E, m1.nu), m2, sphere(R2, m2.E, m2.nu));
+}
+
+inline Shahin prepare(const ShahinMaterial& m, double R) { return prepare(m, R, m, R); }
+
+inline Shahin prepare_on_rigid_plane(const ShahinMaterial& m, double R) {
+  ShahinMaterial rigid = m;
+  rigid.kappa = rigid.E = infinity;
+  return prepare(m, R, rigid, infinity);
+}
+
+} // namespace platen::law
