@@ -1,6 +1,6 @@
 #pragma once
-// The three ways in which Platen gives up. The program maps them to its exit codes: InvalidInput 2,
-// ConvergenceError 3, IoError 4.
+// The ways in which Platen gives up. The program maps them to its exit codes: InvalidInput 2,
+// ConvergenceError 3, IoError 4; Interrupted, which is no failure, 130.
 
 #include <stdexcept>
 #include <string>
@@ -21,10 +21,16 @@ struct IoError : std::runtime_error {
 /// A nonlinear solution was not found. Recoverable: the caller may cut the step and try again.
 struct ConvergenceError : std::runtime_error {
   ConvergenceError(const std::string& what, int step_, int iterations_, double relative_residual_)
-      : std::runtime_error(what), step(step_), iterations(iterations_), relative_residual(relative_residual_) {}
+      : std::runtime_error(what), step(step_), iterations(iterations_),
+        relative_residual(relative_residual_) {}
   int step = 0;
   int iterations = 0;
   double relative_residual = 0;
+};
+
+/// The user asked to stop (SIGINT, SIGTERM); what was computed is already kept.
+struct Interrupted : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 } // namespace platen::core

@@ -1,11 +1,15 @@
 #pragma once
 
+#include "material/plasticity.hpp"
+
 namespace platen::material {
 
-/// Isotropic elasticity, linear between Hencky strain and Kirchhoff stress.
+/// Isotropic elasticity: Hencky strain, stored energy (K eps_v^2 + 3G eps_q^2)/2 per undeformed volume.
 struct Elastic {
   double E;  ///< Young's modulus (Pa), > 0
   double nu; ///< Poisson's ratio, in [0, 0.5)
+
+  Moduli moduli(double) const { return isotropic_moduli(E, nu); }
 };
 
 } // namespace platen::material

@@ -20,7 +20,8 @@ struct CurvePoint {
   double contact_radius_m = 0;
   double mean_pressure_Pa = 0;
   double peak_pressure_Pa = 0;
-  double zone_elastic = 1, zone_shear = 0, zone_compaction = 0, zone_tension = 0; ///< fractions of reference volume
+  double zone_elastic = 1, zone_shear = 0, zone_compaction = 0,
+         zone_tension = 0; ///< fractions of reference volume
   double work_J = 0, stored_J = 0, dissipated_J = 0;
   double rho_r_mean = 1, rho_r_min = 1, rho_r_max = 1;
   double sigma_1_max_Pa = 0;

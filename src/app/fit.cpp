@@ -1,0 +1,96 @@
+#include "app/commands.hpp"
+#include "app/fit_report.hpp"
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "core/nearest.hpp"
+#include "core/number.hpp"
+#include "press/curve_csv.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <optional>
+
+namespace platen::app {
+namespace {
+
+struct Options {
+  std::string curve, law, variant = "published", card, picture;
+  std::optional<double> radius_m, sigma_ref_Pa, E_Pa, nu;
+  bool json = false;
+};
+
+const std::vector<std::string> laws = {"edmans-sinka"};
+
+double checked(double value, std::string_view option, bool allowed, std::string_view range) {
+  if (!allowed)
+    throw core::InvalidInput(
+        fmt::format("{} {}: it must be a number {}", option, core::number_text(value), range));
+  return value;
+}
+
+/// What a measured curve does not say about its material, from the command line.
+void complete(press::Curve& curve, const Options& o) {
+  if (o.E_Pa) curve.E_Pa = checked(*o.E_Pa, "--E_Pa", *o.E_Pa > 0 && std::isfinite(*o.E_Pa), "> 0");
+  if (o.nu) curve.nu = checked(*o.nu, "--nu", *o.nu >= 0 && *o.nu < 0.5, "in [0, 0.5)");
+  if (o.sigma_ref_Pa)
+    press::set_reference_stress(curve, checked(*o.sigma_ref_Pa, "--sigma_ref_Pa",
+                                               *o.sigma_ref_Pa > 0 && std::isfinite(*o.sigma_ref_Pa), "> 0"));
+  if (curve.sigma_ref_Pa > 0) return;
+  // Only the product k sigma_ref is in the law, so any reference serves: the largest force over the
+  // mid-section.
+  double F_max = 0;
+  for (const auto& point : curve.points) F_max = std::max(F_max, point.force_N);
+  if (F_max > 0)
+    press::set_reference_stress(curve, F_max / (std::numbers::pi * curve.radius_m * curve.radius_m));
+  fmt::print(
+      stderr,
+      "note: {} says no reference stress; took the largest force over the mid-section, sigma_ref_Pa = {}; "
+      "give the yield stress with --sigma_ref_Pa\n",
+      o.curve, core::number_text(curve.sigma_ref_Pa));
+}
+
+void fit_law(const Options& o) {
+  if (o.law != "edmans-sinka")
+    throw core::InvalidInput(
+        fmt::format("--law {}: there is no such law to fit{}", o.law, core::suggestion(o.law, laws)));
+  auto curve = press::read_curve(o.curve, o.radius_m);
+  complete(curve, o);
+  if (!o.card.empty() && !(curve.E_Pa > 0))
+    throw core::InvalidInput(
+        fmt::format("{} says no elasticity, which a law card needs for unloading; give --E_Pa and "
+                    "--nu, or leave out -o",
+                    o.curve));
+  const auto fitted = fit::fit_edmans_sinka(curve, o.variant);
+  if (!o.card.empty()) core::write_file(o.card, law_card(curve, fitted, core::read_file(o.curve)));
+  if (!o.picture.empty()) draw_fit(curve, fitted, o.picture);
+  fmt::print("{}", o.json ? fit_json(curve, fitted) : fit_words(fitted));
+}
+
+} // namespace
+
+void add_fit(CLI::App& program) {
+  auto* command = program.add_subcommand("fit", "fit a contact law to a curve, pressed or measured");
+  auto o = std::make_shared<Options>();
+  command->add_option("CURVE.csv", o->curve, "curve.csv of a press, or columns delta_m,force_N")->required();
+  command->add_option("--law", o->law, "law to fit: edmans-sinka")->required()->type_name("NAME");
+  command->add_option("--variant", o->variant, "form of the law")->type_name("V")->capture_default_str();
+  command->add_option("-o", o->card, "write the law card here")->type_name("LAW.toml");
+  command->add_option("--picture", o->picture, "draw curve, law and residual: .svg or .png")
+      ->type_name("FILE");
+  command->add_option("--radius_m", o->radius_m, "radius of the particle, for a measured curve")
+      ->type_name("NUMBER");
+  command->add_option("--sigma_ref_Pa", o->sigma_ref_Pa, "stress that makes forces dimensionless")
+      ->type_name("NUMBER");
+  command->add_option("--E_Pa", o->E_Pa, "Young's modulus, for a measured curve")->type_name("NUMBER");
+  command->add_option("--nu", o->nu, "Poisson's ratio, for a measured curve")->type_name("NUMBER");
+  command->add_flag("--json", o->json, "for a machine to read");
+  command->footer("Example: platen fit out/curve.csv --law edmans-sinka -o law.toml\n"
+                  "         platen fit measured.csv --radius_m 0.5e-3 --law edmans-sinka");
+  command->callback([o] { fit_law(*o); });
+}
+
+} // namespace platen::app

@@ -1,0 +1,37 @@
+#include "app/output_folder.hpp"
+
+#include "core/error.hpp"
+#include "core/file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+
+namespace platen::app {
+
+OutputFolder::OutputFolder(std::filesystem::path path) : path_(std::move(path)) {
+  core::prepare_folder(path_);
+  lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  // The lock goes with the process, however it ends. File systems without locks are used without one.
+  if (lock_ >= 0 && ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    ::close(lock_);
+    throw core::IoError(fmt::format(
+        "{}: another run is writing into this folder; name another with -o, or wait", path_.string()));
+  }
+}
+
+OutputFolder::~OutputFolder() {
+  if (lock_ >= 0) ::close(lock_);
+}
+
+void OutputFolder::forget(std::initializer_list<std::string_view> names) const {
+  for (const auto name : names) {
+    std::error_code error;
+    std::filesystem::remove(path_ / name, error);
+  }
+}
+
+} // namespace platen::app

@@ -1,0 +1,63 @@
+#include "app/commands.hpp"
+#include "app/press_into.hpp"
+#include "press/case_card.hpp"
+#include "press/summary.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace platen::app {
+namespace {
+
+struct Options {
+  std::string card, folder = "out";
+  bool json = false, keys = false;
+};
+
+void press(const Options& options) {
+  if (options.keys) {
+    fmt::print("{}", press::case_reference());
+    return;
+  }
+  const auto c = press::read_case(options.card);
+  const OutputFolder folder(options.folder);
+  const auto result = press_into(c, folder);
+  print_flags(result);
+  if (options.json) {
+    fmt::print("{}", press::summary_json(c, result));
+    return;
+  }
+  const auto& last = result.curve.points.back();
+  fmt::print("{}: {} points up to delta_bar = {:.4g}, F_bar = {:.4g} (F = {:.4g} N), contact radius {:.4g} "
+             "R, in {:.1f} s\n"
+             "results in {}\n",
+             c.material.name, result.curve.points.size(), last.delta_bar, last.F_bar, last.force_N,
+             last.contact_radius_m / c.radius_m, result.statistics.total_s, folder.path().string());
+}
+
+} // namespace
+
+void add_press(CLI::App& program) {
+  auto* command =
+      program.add_subcommand("press", "press one virtual particle: curve.csv, summary.json, pictures");
+  auto options = std::make_shared<Options>();
+  auto* card = command->add_option("CASE.toml", options->card, "the case card");
+  command->add_option("-o", options->folder, "folder for the results")
+      ->type_name("DIR")
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "print the summary for a machine to read");
+  auto* keys = command->add_flag("--keys", options->keys, "every key of a case card, as Markdown");
+  keys->excludes(card);
+  command->footer("Example: platen press case.toml -o out/press\n"
+                  "with case.toml:\n\n"
+                  "  platen = 1\n  experiment = \"simple\"\n  material = \"mcc-ph-200\"\n  radius_m = 1e-3\n"
+                  "  [output]\n  fields_at = [0.1, 0.5]");
+  command->callback([options] {
+    if (options->card.empty() && !options->keys) throw CLI::RequiredError("CASE.toml");
+    press(*options);
+  });
+}
+
+} // namespace platen::app

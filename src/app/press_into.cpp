@@ -1,0 +1,61 @@
+#include "app/press_into.hpp"
+
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "core/interrupt.hpp"
+#include "core/progress.hpp"
+#include "plot/zone_map.hpp"
+#include "press/case_card.hpp"
+#include "press/curve_csv.hpp"
+#include "press/summary.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+namespace platen::app {
+namespace {
+
+press::Result press_with_progress(const press::Case& c) {
+  core::Progress progress(fmt::format("pressing {}", c.material.name));
+  return press::simple(c, [&](double fraction, const press::CurvePoint& point) {
+    progress.show(fraction, fmt::format("delta_bar = {:.3f}", point.delta_bar));
+    return !core::interrupted();
+  });
+}
+
+void write_results(const press::Case& c, const press::Result& result, const OutputFolder& folder) {
+  folder.forget({"case.toml", "curve.csv", "summary.json", "zones.svg", "curve.svg", "law.toml"});
+  core::write_file(folder / "case.toml", press::case_text(c));
+  press::write_curve(result.curve, folder / "curve.csv");
+  if (!result.snapshots.empty())
+    plot::zone_map(result.snapshots, fmt::format("{}: where it flows", c.material.name),
+                   folder / "zones.svg");
+  // Last: where there is a summary, the rest is there as well.
+  core::write_file(folder / "summary.json", press::summary_json(c, result));
+}
+
+} // namespace
+
+press::Result press_into(const press::Case& c, const OutputFolder& folder) {
+  press::Result result = press_with_progress(c);
+  write_results(c, result, folder);
+  const double reached = result.curve.points.empty() ? 0 : result.curve.points.back().delta_bar;
+  if (result.failure) {
+    print_flags(result);
+    throw core::ConvergenceError(fmt::format("{}; the curve up to delta_bar = {:.4g} is in {}",
+                                             *result.failure, reached, (folder / "curve.csv").string()),
+                                 result.statistics.steps, result.statistics.iterations,
+                                 std::numeric_limits<double>::quiet_NaN());
+  }
+  if (result.interrupted)
+    throw core::Interrupted(fmt::format("stopped as asked; the curve up to delta_bar = {:.4g} is in {}",
+                                        reached, (folder / "curve.csv").string()));
+  return result;
+}
+
+void print_flags(const press::Result& result) {
+  for (const auto& flag : result.flags) fmt::print(stderr, "note: {}\n", flag);
+}
+
+} // namespace platen::app

@@ -1,0 +1,25 @@
+#include "core/interrupt.hpp"
+
+#include <csignal>
+
+namespace platen::core {
+namespace {
+
+volatile std::sig_atomic_t stop = 0;
+
+extern "C" void ask_to_stop(int) { stop = 1; }
+
+} // namespace
+
+void watch_for_interrupts() {
+  struct sigaction action = {};
+  action.sa_handler = ask_to_stop;
+  sigemptyset(&action.sa_mask);
+  action.sa_flags = SA_RESTART | SA_RESETHAND; // RESETHAND: whoever asks twice does not want to wait
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+bool interrupted() { return stop != 0; }
+
+} // namespace platen::core

@@ -1,0 +1,253 @@
+#include "fe/axisymmetric.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+namespace platen::fe {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+constexpr double gauss = 0.57735026918962576451; // 1/sqrt(3)
+constexpr std::array<std::array<double, 2>, 4> corners{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
+
+std::array<int, 8> unknowns_of(const std::array<int, 4>& quad) {
+  std::array<int, 8> u;
+  for (int a = 0; a < 4; ++a) u[2 * a] = 2 * quad[a], u[2 * a + 1] = 2 * quad[a] + 1;
+  return u;
+}
+
+Pattern pattern_of_quads(const AxisymmetricMesh& mesh) {
+  std::vector<std::vector<int>> elements;
+  for (const auto& quad : mesh.quads) {
+    const auto u = unknowns_of(quad);
+    elements.emplace_back(u.begin(), u.end());
+  }
+  return pattern_of(2 * static_cast<int>(mesh.nodes.size()), elements);
+}
+
+} // namespace
+
+AxisymmetricSolid::AxisymmetricSolid(AxisymmetricMesh mesh_, material::Model model_)
+    : mesh(std::move(mesh_)), model(std::move(model_)), pattern(pattern_of_quads(mesh)), committed(points()),
+      force(unknowns()), tangent(pattern.column.size()), updates(points()), volume(points()),
+      shapes(points()), kinematics(points()), element_J(mesh.quads.size()), element_volume(mesh.quads.size()),
+      eps_trial(points()), phi_n(points()), scatter(mesh.quads.size()) {
+  for (std::size_t e = 0; e < mesh.quads.size(); ++e) {
+    const auto& quad = mesh.quads[e];
+    for (int g = 0; g < 4; ++g) {
+      const double xi = gauss * corners[g][0], eta = gauss * corners[g][1];
+      std::array<double, 4> N, N_xi, N_eta;
+      double J[2][2] = {{0, 0}, {0, 0}}, R = 0;
+      for (int a = 0; a < 4; ++a) {
+        const auto [xa, ya] = corners[a];
+        N[a] = (1 + xi * xa) * (1 + eta * ya) / 4;
+        N_xi[a] = xa * (1 + eta * ya) / 4;
+        N_eta[a] = (1 + xi * xa) * ya / 4;
+        const auto [r, z] = mesh.nodes[quad[a]];
+        J[0][0] += r * N_xi[a], J[0][1] += r * N_eta[a];
+        J[1][0] += z * N_xi[a], J[1][1] += z * N_eta[a];
+        R += r * N[a];
+      }
+      const double det = J[0][0] * J[1][1] - J[0][1] * J[1][0];
+      Shape& shape = shapes[4 * e + g];
+      for (int a = 0; a < 4; ++a) {
+        shape.N_R[a] = (N_xi[a] * J[1][1] - N_eta[a] * J[1][0]) / det;
+        shape.N_Z[a] = (N_eta[a] * J[0][0] - N_xi[a] * J[0][1]) / det;
+        shape.N_over_R[a] = N[a] / R;
+      }
+      volume[4 * e + g] = 2 * std::numbers::pi * R * det;
+      element_volume[e] += volume[4 * e + g];
+    }
+    const auto u = unknowns_of(quad);
+    for (int i = 0; i < 8; ++i)
+      for (int j = 0; j < 8; ++j) scatter[e][8 * i + j] = pattern.find(u[i], u[j]);
+  }
+}
+
+Evaluation AxisymmetricSolid::evaluate(std::span<const double> u) {
+  auto start = Clock::now();
+  if (!deform(u)) return Evaluation::inverted_element;
+  times.assembly_s += seconds_since(start);
+  start = Clock::now();
+  const auto batch = material::update(model, eps_trial, phi_n, updates);
+  counts.plastic += batch.plastic;
+  counts.bracketed += batch.bracketed;
+  counts.refused += batch.refused;
+  times.material_s += seconds_since(start);
+  if (batch.refused > 0) return Evaluation::refused_material;
+  start = Clock::now();
+  assemble();
+  times.assembly_s += seconds_since(start);
+  return Evaluation::done;
+}
+
+/// Deformation gradients, mean dilatations and trial strains.
+bool AxisymmetricSolid::deform(std::span<const double> u) {
+  for (std::size_t e = 0; e < mesh.quads.size(); ++e) {
+    const auto& quad = mesh.quads[e];
+    double v = 0;
+    for (int g = 0; g < 4; ++g) {
+      const Shape& s = shapes[4 * e + g];
+      Kinematics& k = kinematics[4 * e + g];
+      double rr = 1, rz = 0, zr = 0, zz = 1, tt = 1;
+      for (int a = 0; a < 4; ++a) {
+        const double ur = u[2 * quad[a]], uz = u[2 * quad[a] + 1];
+        rr += ur * s.N_R[a], rz += ur * s.N_Z[a];
+        zr += uz * s.N_R[a], zz += uz * s.N_Z[a];
+        tt += ur * s.N_over_R[a];
+      }
+      const double det = rr * zz - rz * zr;
+      k.J = det * tt;
+      if (!(det > 0 && tt > 0)) return false;
+      for (int a = 0; a < 4; ++a) {
+        k.N_r[a] = (s.N_R[a] * zz - s.N_Z[a] * zr) / det;
+        k.N_z[a] = (s.N_Z[a] * rr - s.N_R[a] * rz) / det;
+        k.N_over_r[a] = s.N_over_R[a] / tt;
+      }
+      k.F = {rr, rz, zr, zz, tt};
+      v += volume[4 * e + g] * k.J;
+    }
+    element_J[e] = v / element_volume[e];
+    for (int g = 0; g < 4; ++g) {
+      Kinematics& k = kinematics[4 * e + g];
+      const double alpha = std::cbrt(element_J[e] / k.J);
+      for (double& f : k.F) f *= alpha;
+      const auto& [rr, rz, zr, zz, tt] = k.F;
+      const PointState& n = committed[4 * e + g];
+      const auto& [c_rr, c_zz, c_rz, c_tt] = n.Cp_inv;
+      // b = F C F^T in the section.
+      const double b_rr = rr * (rr * c_rr + rz * c_rz) + rz * (rr * c_rz + rz * c_zz);
+      const double b_rz = zr * (rr * c_rr + rz * c_rz) + zz * (rr * c_rz + rz * c_zz);
+      const double b_zz = zr * (zr * c_rr + zz * c_rz) + zz * (zr * c_rz + zz * c_zz);
+      const double mean = (b_rr + b_zz) / 2, half = (b_rr - b_zz) / 2, radius = std::hypot(half, b_rz);
+      k.b_1 = mean + radius;
+      k.b_2 = mean - radius;
+      // Half-angle of (half, b_rz), without trigonometry and without cancellation.
+      if (radius > 0) {
+        if (half >= 0) {
+          k.cos = std::sqrt((1 + half / radius) / 2);
+          k.sin = b_rz / (2 * radius * k.cos);
+        } else {
+          k.sin = std::copysign(std::sqrt((1 - half / radius) / 2), b_rz);
+          k.cos = b_rz / (2 * radius * k.sin);
+        }
+      } else k.cos = 1, k.sin = 0;
+      eps_trial[4 * e + g] = {std::log(k.b_1) / 2, std::log(k.b_2) / 2, std::log(tt * tt * c_tt) / 2};
+      phi_n[4 * e + g] = n.phi;
+    }
+  }
+  return true;
+}
+
+void AxisymmetricSolid::assemble() {
+  std::fill(force.begin(), force.end(), 0.0);
+  std::fill(tangent.begin(), tangent.end(), 0.0);
+  for (int e = 0; e < static_cast<int>(mesh.quads.size()); ++e) assemble_element(e);
+}
+
+// Written in the principal axes of b_e^tr, where l_AB = d(u_A)/d(x_B) of a nodal unknown:
+//   force    tau_A l_AA + tau_m (b - tr l)                    b = d(ln J_bar)/du, tau_m = tr(tau)/3
+//   tangent  lbar_AA C_AB lbar_BB + (l_12 + l_21)(beta_1 l_12 + beta_2 l_21) - tau_A l_Ak l_kA + tau_m tr(l
+//   l)
+//            + P [(1/v) int (tr l tr l - tr(l l)) dv - b b],  P = int tau_m dV,  lbar_AA = l_AA + (b - tr
+//            l)/3
+void AxisymmetricSolid::assemble_element(int e) {
+  const auto u = unknowns_of(mesh.quads[e]);
+  const double J_bar = element_J[e], v = J_bar * element_volume[e];
+  double tr[4][8], b[8] = {}, P = 0, f[8] = {}, K[8][8] = {};
+  for (int g = 0; g < 4; ++g) {
+    const Kinematics& k = kinematics[4 * e + g];
+    const double dv = volume[4 * e + g] * k.J / v;
+    for (int a = 0; a < 4; ++a) {
+      tr[g][2 * a] = k.N_r[a] + k.N_over_r[a];
+      tr[g][2 * a + 1] = k.N_z[a];
+      b[2 * a] += dv * tr[g][2 * a];
+      b[2 * a + 1] += dv * tr[g][2 * a + 1];
+    }
+    const auto& s = updates[4 * e + g].sigma;
+    P += volume[4 * e + g] * J_bar * (s[0] + s[1] + s[2]) / 3;
+  }
+  for (int g = 0; g < 4; ++g) {
+    const Kinematics& k = kinematics[4 * e + g];
+    const material::PointUpdate& point = updates[4 * e + g];
+    const double w = volume[4 * e + g];
+    double l11[8], l12[8], l21[8], l22[8], ltt[8];
+    for (int a = 0; a < 4; ++a) {
+      const double g1 = k.cos * k.N_r[a] + k.sin * k.N_z[a], g2 = k.cos * k.N_z[a] - k.sin * k.N_r[a];
+      l11[2 * a] = k.cos * g1, l12[2 * a] = k.cos * g2, l21[2 * a] = -k.sin * g1, l22[2 * a] = -k.sin * g2;
+      l11[2 * a + 1] = k.sin * g1, l12[2 * a + 1] = k.sin * g2;
+      l21[2 * a + 1] = k.cos * g1, l22[2 * a + 1] = k.cos * g2;
+      ltt[2 * a] = k.N_over_r[a], ltt[2 * a + 1] = 0;
+    }
+    double tau[3], C[3][3];
+    for (int A = 0; A < 3; ++A) {
+      tau[A] = w * J_bar * point.sigma[A];
+      for (int B = 0; B < 3; ++B) C[A][B] = w * J_bar * point.D[A][B] + tau[A];
+    }
+    const double tau_m = (tau[0] + tau[1] + tau[2]) / 3;
+    // (tau_1 - tau_2)/(b_1 - b_2), or its limit for equal stretches.
+    const double spread = k.b_1 - k.b_2;
+    const double slope = spread > 1e-7 * k.b_1 ? (tau[0] - tau[1]) / spread
+                                               : (C[0][0] - C[0][1] - C[1][0] + C[1][1]) / (4 * k.b_1);
+    const double beta_1 = slope * k.b_2, beta_2 = slope * k.b_1;
+    const double dv = w * k.J / v * P; // weight of the second derivative of ln J_bar
+    double lbar[3][8];
+    for (int i = 0; i < 8; ++i) {
+      const double third = (b[i] - tr[g][i]) / 3;
+      lbar[0][i] = l11[i] + third, lbar[1][i] = l22[i] + third, lbar[2][i] = ltt[i] + third;
+      f[i] += tau[0] * l11[i] + tau[1] * l22[i] + tau[2] * ltt[i] + 3 * tau_m * third;
+    }
+    for (int i = 0; i < 8; ++i) {
+      double c[3];
+      for (int B = 0; B < 3; ++B) c[B] = lbar[0][i] * C[0][B] + lbar[1][i] * C[1][B] + lbar[2][i] * C[2][B];
+      const double shear = l12[i] + l21[i], volume_term = dv * tr[g][i];
+      const double m = tau_m - dv; // tr(l l) of the mean stress, less that of the second derivative
+      const double a11 = (m - tau[0]) * l11[i], a22 = (m - tau[1]) * l22[i], att = (m - tau[2]) * ltt[i];
+      const double to_12 = shear * beta_1 + (m - tau[1]) * l21[i],
+                   to_21 = shear * beta_2 + (m - tau[0]) * l12[i];
+      for (int j = 0; j < 8; ++j)
+        K[i][j] += c[0] * lbar[0][j] + c[1] * lbar[1][j] + c[2] * lbar[2][j] + a11 * l11[j] + a22 * l22[j] +
+                   att * ltt[j] + to_12 * l12[j] + to_21 * l21[j] + volume_term * tr[g][j];
+    }
+  }
+  for (int i = 0; i < 8; ++i) {
+    force[u[i]] += f[i];
+    for (int j = 0; j < 8; ++j) tangent[scatter[e][8 * i + j]] += K[i][j] - P * b[i] * b[j];
+  }
+}
+
+PointState AxisymmetricSolid::updated(int point) const {
+  const Kinematics& k = kinematics[point];
+  const auto& eps = updates[point].eps;
+  const double b_1 = std::exp(2 * eps[0]), b_2 = std::exp(2 * eps[1]), b_t = std::exp(2 * eps[2]);
+  const double rr = b_1 * k.cos * k.cos + b_2 * k.sin * k.sin, zz = b_1 * k.sin * k.sin + b_2 * k.cos * k.cos;
+  const double rz = (b_1 - b_2) * k.cos * k.sin;
+  // C_p^{-1} = F^{-1} b_e F^{-T}
+  const auto& [F_rr, F_rz, F_zr, F_zz, F_tt] = k.F;
+  const double det = F_rr * F_zz - F_rz * F_zr;
+  const double i_rr = F_zz / det, i_rz = -F_rz / det, i_zr = -F_zr / det, i_zz = F_rr / det;
+  PointState state;
+  state.Cp_inv = {i_rr * (i_rr * rr + i_rz * rz) + i_rz * (i_rr * rz + i_rz * zz),
+                  i_zr * (i_zr * rr + i_zz * rz) + i_zz * (i_zr * rz + i_zz * zz),
+                  i_zr * (i_rr * rr + i_rz * rz) + i_zz * (i_rr * rz + i_rz * zz), b_t / (F_tt * F_tt)};
+  state.phi = updates[point].phi;
+  return state;
+}
+
+void AxisymmetricSolid::commit() {
+  for (int i = 0; i < points(); ++i) committed[i] = updated(i);
+}
+
+std::array<double, 4> AxisymmetricSolid::cauchy(int point) const {
+  const Kinematics& k = kinematics[point];
+  const auto& s = updates[point].sigma;
+  const double cc = k.cos * k.cos, ss = k.sin * k.sin;
+  return {s[0] * cc + s[1] * ss, s[0] * ss + s[1] * cc, (s[0] - s[1]) * k.cos * k.sin, s[2]};
+}
+
+} // namespace platen::fe

@@ -1,0 +1,80 @@
+#pragma once
+// Equilibrium of a half sphere on its equator plane under a rigid frictionless plane z = height.
+//
+// The contact pressure is integrated along the edges of the surface, over the true sphere: a point between
+// two nodes lies at its place on the undeformed sphere plus the interpolated displacement, and a part of an
+// edge can touch. (With exact contact of nodes the radius grows by whole edges, and with it, in scallops, the
+// force of a plastic sphere.) The pressure is a stiffness times the penetration, the same for every mesh: at
+// the highest mean pressure met so far, a point at distance s from the pole penetrates by 0.001 s^2/R0, about
+// 0.2 % of the delta at which the contact gets there.
+
+#include "fe/axisymmetric.hpp"
+
+#include <string>
+#include <vector>
+
+namespace platen::fe {
+
+struct NewtonSettings {
+  double relative_residual_tolerance = 1e-6; ///< of the free unknowns, relative to the reactions
+  int iterations_max = 25;
+};
+
+/// One equilibrium.
+struct StepReport {
+  bool converged = false;
+  int iterations = 0;
+  std::string why;               ///< it did not converge
+  std::vector<double> residuals; ///< relative, one an iterate
+  bool contact_changed = false;  ///< of any contact point, after the first iterate
+  bool zone_changed = false;     ///< of any Gauss point, after the first iterate
+};
+
+/// Where the sphere touches the plane.
+struct Contact {
+  double force = 0;         ///< compression positive (R0^2 Pa)
+  double radius = 0;        ///< R0, located inside an edge
+  double peak_pressure = 0; ///< mean over an edge (Pa)
+  double energy = 0;        ///< of the penetration (R0^3 Pa)
+};
+
+class PlaneContact {
+ public:
+  PlaneContact(AxisymmetricSolid&, NewtonSettings);
+
+  /// Solves for the plane at `height` (R0), starting from `guess`. On success `u` is the new equilibrium and
+  /// the solid holds the evaluation there, not committed; else `u` is unchanged.
+  StepReport solve(double height, std::vector<double> guess);
+
+  Contact contact() const; ///< at the last equilibrium
+
+  std::vector<double> u; ///< last equilibrium (R0)
+
+ private:
+  static constexpr int points_per_edge = 8;
+  struct EdgePoint { ///< of the undeformed sphere
+    std::array<double, 2> N;
+    double r, z;        ///< sphere less chord: what the displacement of the nodes does not interpolate
+    double area;        ///< 2 pi included
+    double flexibility; ///< penetration at the pressure scale (R0)
+  };
+  struct Residual {
+    double relative;
+    std::vector<char> touching; ///< per contact point
+  };
+  double height_above_plane(const EdgePoint&, int edge, const std::vector<double>& x) const;
+  double radius(const EdgePoint&, int edge) const;
+  Evaluation evaluate(const std::vector<double>& x, Residual&);
+  bool correct(std::vector<double>& correction);
+
+  AxisymmetricSolid& solid;
+  NewtonSettings settings;
+  DirectSolver solver;
+  std::vector<char> fixed; ///< unknowns on the axis and the equator
+  std::vector<std::array<EdgePoint, points_per_edge>> edges;
+  std::vector<std::array<int, 4>> scatter; ///< of the 2x2 edge matrices
+  double height = 1;
+  double pressure_scale; ///< highest mean pressure met so far (Pa)
+};
+
+} // namespace platen::fe

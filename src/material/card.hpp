@@ -1,0 +1,44 @@
+#pragma once
+// Material cards (TOML) and what they hold. A card has no radius: it describes a material, not a particle.
+
+#include "core/toml.hpp"
+#include "material/models.hpp"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace platen::material {
+
+struct Card {
+  Material material;
+  std::vector<std::pair<std::string, std::string>>
+      sources; ///< key, or "default", and where its value is from
+  std::string file;
+};
+
+/// A card by path or by name in the catalogue.
+Card read_card(std::string_view what);
+/// A card that stands inside another document.
+Card read_card(const core::Table&);
+
+/// The material as the text of a card, every number in SI units.
+std::string card_text(const Material&);
+
+/// "vmdc", "von-mises", ...: how cards name the model.
+std::string_view model_name(const Model&);
+
+/// Every parameter of the model: key, value in SI units, meaning.
+struct Parameter {
+  std::string key;
+  double value;
+  std::string meaning;
+};
+std::vector<Parameter> parameters(const Model&);
+
+/// The reference page of material cards, as Markdown.
+std::string card_reference();
+
+} // namespace platen::material

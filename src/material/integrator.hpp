@@ -1,0 +1,290 @@
+#pragma once
+// The one implicit integrator: return of a trial elastic strain to the yield surface, in (p, q).
+//
+// The trial Hencky strain enters by its invariants eps_v and eps_q. Backward Euler on the flow rule, with the
+// surface and the moduli at the new state (Edmans & Sinka's fully implicit scheme):
+//
+//   eps_v = eps_v^tr - dv,   eps_q = eps_q^tr - dw,   phi = phi_n + phi_rate (dv, dw)
+//   K(phi) eps_v e^{-eps_v}   = p(s, phi)
+//   3G(phi) eps_q e^{-eps_v}  = q(s, phi)
+//   n_q(s, phi) dv - n_p(s, phi) dw = 0
+//
+// for (s, dv, dw). The moduli relate Hencky strain to stress on the intermediate (unloaded) volume, so that
+// elasticity derives from an energy; e^{-eps_v} = 1/J_e makes it the Cauchy stress, in which the material
+// yields.
+//
+// Newton with line search starts from the model's first guess, or, where that fails, from the closest point
+// of the surface frozen at phi_n, found by bisection. Where that fails too, phi is bracketed outside and the
+// closest point of the then frozen surface inside, and Newton polishes.
+
+#include "material/plasticity.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace platen::material {
+
+/// Invariants of a trial elastic Hencky strain.
+struct TrialInvariants {
+  double eps_v; ///< trace
+  double eps_q; ///< sqrt(2/3 e:e), e the deviator
+};
+
+enum class Status : unsigned char {
+  elastic,
+  plastic,   ///< Newton converged
+  bracketed, ///< the bracketing fall-back was needed
+  refused    ///< no admissible state was found: cut the step
+};
+
+/// The state after the increment, and the consistent tangent d(p, q)/d(eps_v^tr, eps_q^tr).
+struct InvariantResponse {
+  Status status = Status::elastic;
+  Zone zone = Zone::elastic;
+  double p = 0, q = 0;         ///< Cauchy (Pa)
+  double eps_v = 0, eps_q = 0; ///< elastic strain
+  double phi = 0;
+  double p_v = 0, p_q = 0, q_v = 0, q_q = 0; ///< tangent (Pa)
+  int iterations = 0;
+};
+
+namespace detail {
+
+/// Residual and Jacobian of the return at (s, dv, dw), stresses divided by 3G(phi_n).
+struct Return {
+  std::array<double, 3> r;
+  std::array<std::array<double, 3>, 3> J;
+  SurfacePoint at;
+  Moduli moduli;
+  double s, phi, eps_v, eps_q, exp_v; ///< exp_v = e^{-eps_v}
+
+  double merit() const { return r[0] * r[0] + r[1] * r[1] + r[2] * r[2]; }
+};
+
+template <PlasticModel M>
+Return evaluate_return(const M& model, TrialInvariants trial, double phi_n, double stress_unit,
+                       const std::array<double, 3>& x) {
+  const auto [s, dv, dw] = x;
+  constexpr PhiRate rate = M::phi_rate;
+  Return e;
+  e.s = s;
+  e.phi = phi_n + rate.v * dv + rate.w * dw;
+  e.eps_v = trial.eps_v - dv;
+  e.eps_q = trial.eps_q - dw;
+  e.exp_v = std::exp(-e.eps_v);
+  e.moduli = model.moduli(e.phi);
+  e.at = model.surface(e.phi).at(s);
+  const auto& [K, G, K_phi, G_phi] = e.moduli;
+  const SurfacePoint& f = e.at;
+  const double unit = 1 / stress_unit;
+  e.r = {(K * e.eps_v * e.exp_v - f.p) * unit, (3 * G * e.eps_q * e.exp_v - f.q) * unit,
+         f.n_q * dv - f.n_p * dw};
+  const double p_phi = K_phi * e.eps_v * e.exp_v - f.p_phi, q_phi = 3 * G_phi * e.eps_q * e.exp_v - f.q_phi;
+  const double n_phi = f.n_q_phi * dv - f.n_p_phi * dw;
+  e.J[0] = {-f.p_s * unit, (-K * (1 - e.eps_v) * e.exp_v + p_phi * rate.v) * unit, p_phi * rate.w * unit};
+  e.J[1] = {-f.q_s * unit, (3 * G * e.eps_q * e.exp_v + q_phi * rate.v) * unit,
+            (-3 * G * e.exp_v + q_phi * rate.w) * unit};
+  e.J[2] = {f.n_q_s * dv - f.n_p_s * dw, f.n_q + n_phi * rate.v, -f.n_p + n_phi * rate.w};
+  return e;
+}
+
+/// Cofactors of a 3x3 matrix, and its determinant: solve(b) = A^-1 b.
+struct Inverse3 {
+  std::array<std::array<double, 3>, 3> c;
+  double det;
+  explicit Inverse3(const std::array<std::array<double, 3>, 3>& a) {
+    c[0] = {a[1][1] * a[2][2] - a[1][2] * a[2][1], a[0][2] * a[2][1] - a[0][1] * a[2][2],
+            a[0][1] * a[1][2] - a[0][2] * a[1][1]};
+    c[1] = {a[1][2] * a[2][0] - a[1][0] * a[2][2], a[0][0] * a[2][2] - a[0][2] * a[2][0],
+            a[0][2] * a[1][0] - a[0][0] * a[1][2]};
+    c[2] = {a[1][0] * a[2][1] - a[1][1] * a[2][0], a[0][1] * a[2][0] - a[0][0] * a[2][1],
+            a[0][0] * a[1][1] - a[0][1] * a[1][0]};
+    det = a[0][0] * c[0][0] + a[0][1] * c[1][0] + a[0][2] * c[2][0];
+  }
+  std::array<double, 3> solve(const std::array<double, 3>& b) const {
+    std::array<double, 3> x;
+    for (int i = 0; i < 3; ++i) x[i] = (c[i][0] * b[0] + c[i][1] * b[1] + c[i][2] * b[2]) / det;
+    return x;
+  }
+};
+
+/// eps_v of K eps_v e^{-eps_v} = p on the branch through zero; NaN where p exceeds the elastic limit K/e.
+inline double volumetric_strain(double p, double K) {
+  double x = p / K;
+  if (!(x < 1 / std::exp(1.0))) return std::numeric_limits<double>::quiet_NaN();
+  const double y = x;
+  x = y < 0 ? -std::log1p(-y) : y * (1 + y);
+  for (int i = 0; i < 60; ++i) {
+    const double f = x - y * std::exp(x), f_x = 1 - y * std::exp(x);
+    const double dx = f / f_x;
+    x -= dx;
+    if (std::abs(dx) <= 1e-15 * (1 + std::abs(x))) break;
+  }
+  return x;
+}
+
+/// Plastic increments of the closest-point return at frozen phi, by bisection in s.
+template <PlasticModel M>
+std::array<double, 3> frozen_return(const M& model, TrialInvariants trial, double phi, int bisections) {
+  const auto surface = model.surface(phi);
+  const Moduli m = model.moduli(phi);
+  double lo = surface.s_min(), hi = surface.s_max();
+  std::array<double, 3> x{};
+  for (int i = 0; i < bisections; ++i) {
+    const double s = (lo + hi) / 2;
+    const SurfacePoint f = surface.at(s);
+    const double eps_v = volumetric_strain(f.p, m.K);
+    const double dv = trial.eps_v - eps_v, dw = trial.eps_q - f.q / (3 * m.G) * std::exp(eps_v);
+    x = {s, dv, dw};
+    // The remaining increment lies on the tensile side of the normal: move towards the tensile end.
+    (f.n_q * dv - f.n_p * dw > 0 ? hi : lo) = s;
+  }
+  return x;
+}
+
+/// Start values for Newton from a bracket in phi; false where there is none.
+template <PlasticModel M>
+bool bracketed_start(const M& model, TrialInvariants trial, double phi_n, std::array<double, 3>& x) {
+  constexpr PhiRate rate = M::phi_rate;
+  const auto gap = [&](double phi) {
+    x = frozen_return(model, trial, phi, 50);
+    return phi - phi_n - rate.v * x[1] - rate.w * x[2];
+  };
+  double a = phi_n, gap_a = gap(a);
+  if (!std::isfinite(gap_a)) return false;
+  const double direction = gap_a > 0 ? -1 : 1;
+  double step = std::abs(gap_a) / 4 + 1e-14, b = a, gap_b = gap_a;
+  // The state nearest to the old one: the first change of sign met on the way.
+  for (int i = 0; i < 40 && gap_b * gap_a > 0; ++i, step *= 1.3) {
+    a = b;
+    b += direction * step;
+    gap_b = gap(b);
+    if (!std::isfinite(gap_b)) return false;
+  }
+  if (gap_b * gap_a > 0) return false;
+  for (int i = 0; i < 50; ++i) {
+    const double c = (a + b) / 2, gap_c = gap(c);
+    (gap_c * gap_b > 0 ? b : a) = c;
+  }
+  gap((a + b) / 2);
+  return true;
+}
+
+} // namespace detail
+
+/// Relative residual of the local equations at which a return counts as converged. Newton is quadratic there,
+/// so that the state is exact to rounding.
+inline constexpr double relative_return_tolerance = 1e-12;
+
+/// Elastic response of a trial strain.
+inline InvariantResponse elastic_response(const Moduli& m, TrialInvariants trial, double phi) {
+  const double exp_v = std::exp(-trial.eps_v);
+  InvariantResponse u;
+  u.eps_v = trial.eps_v;
+  u.eps_q = trial.eps_q;
+  u.phi = phi;
+  u.p = m.K * trial.eps_v * exp_v;
+  u.q = 3 * m.G * trial.eps_q * exp_v;
+  u.p_v = m.K * (1 - trial.eps_v) * exp_v;
+  u.q_v = -u.q;
+  u.q_q = 3 * m.G * exp_v;
+  return u;
+}
+
+/// Backward Euler update of one material point. Pure; status `refused` leaves the rest unspecified.
+template <PlasticModel M>
+[[nodiscard]] InvariantResponse integrate(const M& model, TrialInvariants trial, double phi_n) {
+  const Moduli m_n = model.moduli(phi_n);
+  const auto surface_n = model.surface(phi_n);
+  InvariantResponse u = elastic_response(m_n, trial, phi_n);
+  if (surface_n.contains(u.p, u.q)) return u;
+  u.status = Status::refused;
+  if (!std::isfinite(u.p) || !std::isfinite(u.q)) return u;
+
+  const double stress_unit = 3 * m_n.G;
+  const double strain_unit = std::abs(trial.eps_v) + trial.eps_q;
+  const double tolerance = relative_return_tolerance * strain_unit * relative_return_tolerance * strain_unit;
+  const auto newton = [&](std::array<double, 3> x, detail::Return& e) {
+    e = detail::evaluate_return(model, trial, phi_n, stress_unit, x);
+    double merit = e.merit();
+    for (int i = 0; i < 25; ++i, ++u.iterations) {
+      if (merit <= tolerance) return true;
+      const auto dx = detail::Inverse3(e.J).solve({-e.r[0], -e.r[1], -e.r[2]});
+      double fraction = 1;
+      const auto trial_point = [&] {
+        return std::array<double, 3>{x[0] + fraction * dx[0], x[1] + fraction * dx[1],
+                                     x[2] + fraction * dx[2]};
+      };
+      // Stay on the curve: go at most nine tenths of the way to its ends.
+      const auto f = model.surface(e.phi);
+      if (x[0] + dx[0] < f.s_min()) fraction = 0.9 * (f.s_min() - x[0]) / dx[0];
+      if (x[0] + dx[0] > f.s_max()) fraction = 0.9 * (f.s_max() - x[0]) / dx[0];
+      if (!(fraction > 0)) return false;
+      const double start = merit;
+      for (int cut = 0;; ++cut, fraction /= 2) {
+        if (cut == 8) return start <= 1e4 * tolerance; // at the floor of rounding
+        e = detail::evaluate_return(model, trial, phi_n, stress_unit, trial_point());
+        merit = e.merit();
+        if (merit < start * (1 - 1e-4 * fraction)) break;
+      }
+      x = trial_point();
+    }
+    return merit <= 1e4 * tolerance;
+  };
+  // A root is admissible if the plastic strain points outward.
+  const auto outward = [](const detail::Return& e, double dv, double dw) {
+    return e.at.n_p * dv + e.at.n_q * dw > 0;
+  };
+  const auto increments = [&](const detail::Return& e) {
+    return std::array{trial.eps_v - e.eps_v, trial.eps_q - e.eps_q};
+  };
+
+  detail::Return e;
+  const auto solved_from = [&](const std::array<double, 3>& x) {
+    if (!newton(x, e)) return false;
+    // A root is admissible if the plastic strain points outward.
+    const double dv = trial.eps_v - e.eps_v, dw = trial.eps_q - e.eps_q;
+    return e.at.n_p * dv + e.at.n_q * dw > 0 && e.eps_q >= 0;
+  };
+  const auto guess = [&] {
+    const double s = surface_n.first_guess(u.p, u.q);
+    const SurfacePoint f = surface_n.at(s);
+    const double J_e = std::min(std::exp(trial.eps_v), 2.0);
+    return std::array{s, trial.eps_v - f.p / m_n.K, trial.eps_q - f.q * J_e / (3 * m_n.G)};
+  };
+  u.status = Status::plastic;
+  if (!solved_from(guess()) && !solved_from(detail::frozen_return(model, trial, phi_n, 30))) {
+    u.status = Status::bracketed;
+    std::array<double, 3> x;
+    if (!detail::bracketed_start(model, trial, phi_n, x) || !solved_from(x))
+      return u.status = Status::refused, u;
+  }
+
+  u.p = e.moduli.K * e.eps_v * e.exp_v;
+  u.q = 3 * e.moduli.G * e.eps_q * e.exp_v;
+  u.eps_v = e.eps_v;
+  u.eps_q = e.eps_q;
+  u.phi = e.phi;
+  const auto surface = model.surface(e.phi);
+
+  // d(s, dv, dw) = -J^-1 dr, then the stress along the surface.
+  const detail::Inverse3 inverse(e.J);
+  if (!(std::abs(inverse.det) > 0)) return u.status = Status::refused, u;
+  const double unit = 1 / stress_unit;
+  const auto by_v = inverse.solve({-e.moduli.K * (1 - e.eps_v) * e.exp_v * unit, u.q * unit, 0});
+  const auto by_q = inverse.solve({0, -3 * e.moduli.G * e.exp_v * unit, 0});
+  constexpr PhiRate rate = M::phi_rate;
+  const auto along = [&](const std::array<double, 3>& d, double by_s, double by_phi) {
+    return by_s * d[0] + by_phi * (rate.v * d[1] + rate.w * d[2]);
+  };
+  u.p_v = along(by_v, e.at.p_s, e.at.p_phi);
+  u.q_v = along(by_v, e.at.q_s, e.at.q_phi);
+  u.p_q = along(by_q, e.at.p_s, e.at.p_phi);
+  u.q_q = along(by_q, e.at.q_s, e.at.q_phi);
+  // s was solved for; which piece of the curve it lies on names the flow.
+  u.zone = surface.zone(e.s);
+  return u;
+}
+
+} // namespace platen::material

@@ -1,0 +1,204 @@
+#include "press/sphere_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace platen::press {
+namespace {
+
+double initial_density(const material::Model& model) { return material::relative_density(model, 0); }
+
+} // namespace
+
+SphereRun::SphereRun(const Case& c)
+    : radius_m(c.radius_m), sigma_ref(material::reference_stress(c.material.model)),
+      solid(fe::quarter_disc(c.elements), c.material.model), contact(solid, {}) {
+  now.u.assign(solid.unknowns(), 0.0);
+  now.change = now.u;
+  now.points = solid.committed;
+  now.elastic.assign(solid.points(), {0, 0});
+  now.zones.assign(solid.points(), Zone::elastic);
+  now.row.rho_r_mean = now.row.rho_r_min = now.row.rho_r_max = initial_density(solid.model);
+}
+
+SphereRun::State SphereRun::state() const {
+  State s = now;
+  s.points = solid.committed;
+  return s;
+}
+
+void SphereRun::restore(const State& s) {
+  now = s;
+  solid.committed = s.points;
+  contact.u = s.u;
+}
+
+fe::StepReport SphereRun::advance(double delta_bar) {
+  const double step = delta_bar - now.delta_bar;
+  // Newton starts from the continued motion: at the converged state itself every plastic point sits on the
+  // kink of its yield surface.
+  const double ratio = now.step != 0 ? step / now.step : 0;
+  std::vector<double> guess = now.u;
+  if (ratio > 0)
+    for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += ratio * now.change[i];
+  fe::StepReport report = contact.solve(1 - delta_bar, std::move(guess));
+  count(report);
+  if (!report.converged) return report;
+  for (std::size_t i = 0; i < now.u.size(); ++i) now.change[i] = contact.u[i] - now.u[i];
+  now.step = step;
+  now.u = contact.u;
+  account(delta_bar, report.iterations);
+  solid.commit();
+  return report;
+}
+
+/// The row of the curve at the new equilibrium, before the state is committed.
+void SphereRun::account(double delta_bar, int iterations) {
+  const double R = radius_m, R2 = R * R, R3 = R2 * R;
+  const fe::Contact c = contact.contact();
+  const CurvePoint before = now.row;
+  CurvePoint row = before;
+  row.delta_bar = delta_bar;
+  row.delta_m = delta_bar * R;
+  row.force_N = c.force * R2;
+  row.F_bar = c.force / (std::numbers::pi * sigma_ref);
+  row.contact_radius_m = c.radius * R;
+  row.mean_pressure_Pa = c.radius > 0 ? c.force / (std::numbers::pi * c.radius * c.radius) : 0;
+  row.peak_pressure_Pa = c.peak_pressure;
+  row.iterations = iterations;
+  row.equator_displacement_m = contact.u[2 * solid.mesh.surface.back()] * R;
+  row.work_J = before.work_J + (before.force_N + row.force_N) / 2 * (row.delta_m - before.delta_m);
+
+  double reference = 0, unloaded = 0, stored = 0, dissipated = 0;
+  std::array<double, 4> zones{};
+  row.rho_r_min = row.rho_r_max = material::relative_density(solid.model, solid.updates[0].phi);
+  row.sigma_1_max_Pa = 0;
+  for (int i = 0; i < solid.points(); ++i) {
+    const material::PointUpdate& point = solid.updates[i];
+    const double V = solid.volume[i], phi_n = solid.committed[i].phi;
+    const double J_p = material::plastic_volume_ratio(solid.model, point.phi);
+    const double J_p_n = material::plastic_volume_ratio(solid.model, phi_n);
+    reference += V;
+    unloaded += V * J_p;
+    zones[static_cast<int>(point.zone)] += V;
+    const double rho = material::relative_density(solid.model, point.phi);
+    row.rho_r_min = std::min(row.rho_r_min, rho);
+    row.rho_r_max = std::max(row.rho_r_max, rho);
+    row.sigma_1_max_Pa = std::max({row.sigma_1_max_Pa, point.sigma[0], point.sigma[1], point.sigma[2]});
+
+    const material::TrialInvariants elastic = material::invariants(point.eps);
+    stored += V * J_p * material::stored_energy(solid.model, elastic, point.phi);
+    if (point.zone != Zone::elastic) {
+      // Plastic power of the increment, trapezoidal; a point that was elastic flows from its yield on. What
+      // the change of moduli and of the unloaded volume adds to the stored energy at fixed strain is not
+      // dissipated.
+      const bool flowed = now.zones[i] != Zone::elastic;
+      const material::TrialInvariants start = flowed ? now.elastic[i] : elastic;
+      const auto stress_power = [&](const material::TrialInvariants& strain, double phi) {
+        const auto m = std::visit([&](const auto& model) { return model.moduli(phi); }, solid.model);
+        return m.K * strain.eps_v * point.dv + 3 * m.G * strain.eps_q * point.dw;
+      };
+      const double power =
+          (stress_power(elastic, point.phi) + stress_power(start, flowed ? phi_n : point.phi)) / 2;
+      const material::TrialInvariants middle{(start.eps_v + elastic.eps_v) / 2,
+                                             (start.eps_q + elastic.eps_q) / 2};
+      const double locked = J_p * material::stored_energy(solid.model, middle, point.phi) -
+                            J_p_n * material::stored_energy(solid.model, middle, phi_n);
+      dissipated += V * ((J_p + J_p_n) / 2 * power - locked);
+    }
+    now.elastic[i] = elastic;
+    now.zones[i] = point.zone;
+  }
+  row.zone_elastic = zones[0] / reference;
+  row.zone_shear = zones[1] / reference;
+  row.zone_compaction = zones[2] / reference;
+  row.zone_tension = zones[3] / reference;
+  row.rho_r_mean = initial_density(solid.model) * reference / unloaded;
+  row.stored_J = (stored + c.energy) * R3;
+  row.dissipated_J = before.dissipated_J + dissipated * R3;
+  now.row = row;
+  now.delta_bar = delta_bar;
+}
+
+void SphereRun::count(const fe::StepReport& report) {
+  counted.iterations += report.iterations;
+  if (!report.converged) {
+    ++counted.cuts;
+    return;
+  }
+  ++counted.steps;
+  if (report.contact_changed || report.zone_changed || report.residuals.size() < 3) return;
+  ++counted.smooth_steps;
+  const auto& r = report.residuals;
+  // r_2/r_0 <= 100 (r_1/r_0)^2, down to rounding.
+  counted.quadratic_steps += r[2] / r[0] <= std::max(100 * (r[1] / r[0]) * (r[1] / r[0]), 1e-12);
+}
+
+Statistics SphereRun::statistics() const {
+  Statistics s = counted;
+  s.material_s = solid.times.material_s;
+  s.assembly_s = solid.times.assembly_s;
+  s.factorisation_s = solid.times.factorisation_s;
+  s.solve_s = solid.times.solve_s;
+  s.elements = static_cast<int>(solid.mesh.quads.size());
+  s.unknowns = solid.unknowns();
+  s.local_continuations = solid.counts.bracketed;
+  return s;
+}
+
+std::vector<std::string> SphereRun::flags() const {
+  double reference = 0, rho_r = 0, nu = 0, epsilon = 0, pi_3 = 0;
+  for (int i = 0; i < solid.points(); ++i) {
+    const material::Bounds b = material::active_bounds(solid.model, solid.committed[i].phi);
+    const double V = solid.volume[i];
+    reference += V;
+    rho_r += V * b.rho_r;
+    nu += V * b.nu;
+    epsilon += V * b.epsilon;
+    pi_3 += V * b.pi_3;
+  }
+  std::vector<std::string> said;
+  const auto say = [&](double volume, const char* what) {
+    if (volume > 0)
+      said.push_back(std::string(what) + " in " + std::to_string(100 * volume / reference).substr(0, 4) +
+                     " % of the volume at the end of the press");
+  };
+  say(rho_r, "relative density beyond 1, properties held at their values for 1,");
+  say(nu, "Poisson's ratio held in [0, 0.49]");
+  say(epsilon, "axis ratio of the compaction cap held at its minimum 0.05");
+  say(pi_3, "compaction cap centred at p = 0, since epsilon Gamma exceeds sigma_y,");
+  return said;
+}
+
+Snapshot SphereRun::snapshot(Branch branch) const {
+  Snapshot s;
+  s.delta_bar = now.delta_bar;
+  s.branch = branch;
+  for (std::size_t i = 0; i < solid.mesh.nodes.size(); ++i)
+    s.nodes.push_back({solid.mesh.nodes[i][0] + now.u[2 * i], solid.mesh.nodes[i][1] + now.u[2 * i + 1]});
+  s.quads = solid.mesh.quads;
+  for (std::size_t e = 0; e < s.quads.size(); ++e) {
+    std::array<Zone, 4> zones;
+    std::array<double, 4> stress{};
+    double p = 0, q = 0, phi = 0;
+    for (int g = 0; g < 4; ++g) {
+      const int i = 4 * static_cast<int>(e) + g;
+      zones[g] = solid.updates[i].zone;
+      const auto sigma = solid.cauchy(i);
+      for (int k = 0; k < 4; ++k) stress[k] += sigma[k] / 4;
+      p += solid.updates[i].p / 4;
+      q += solid.updates[i].q / 4;
+      phi += solid.updates[i].phi / 4;
+    }
+    s.zones.push_back(zones);
+    s.stress.push_back(stress);
+    s.p.push_back(p);
+    s.q.push_back(q);
+    s.phi.push_back(phi);
+    s.rho_r.push_back(material::relative_density(solid.model, phi));
+  }
+  return s;
+}
+
+} // namespace platen::press

@@ -1,0 +1,48 @@
+#pragma once
+// A sphere under the plane of the simple press: its state, one step further, its row of the curve.
+
+#include "fe/plane_contact.hpp"
+#include "press/simple.hpp"
+
+#include <vector>
+
+namespace platen::press {
+
+/// Lengths inside are in units of R0, stresses in Pa.
+class SphereRun {
+ public:
+  explicit SphereRun(const Case&);
+
+  /// Everything that a branch needs to start again from here.
+  struct State {
+    double delta_bar = 0, step = 0; ///< step: the last one, whose displacement change is extrapolated
+    std::vector<double> u, change;
+    std::vector<fe::PointState> points;
+    std::vector<material::TrialInvariants> elastic; ///< strains of the Gauss points
+    std::vector<material::Zone> zones;
+    CurvePoint row;
+  };
+  State state() const;
+  void restore(const State&);
+
+  /// One step to delta_bar. On success the state is the new one and `row` describes it.
+  fe::StepReport advance(double delta_bar);
+
+  const CurvePoint& row() const { return now.row; }
+  double delta_bar() const { return now.delta_bar; }
+  Snapshot snapshot(Branch) const;
+  Statistics statistics() const;
+  std::vector<std::string> flags() const;
+
+ private:
+  void account(double delta_bar, int iterations);
+  void count(const fe::StepReport&);
+
+  const double radius_m, sigma_ref;
+  fe::AxisymmetricSolid solid;
+  fe::PlaneContact contact;
+  State now;
+  Statistics counted;
+};
+
+} // namespace platen::press

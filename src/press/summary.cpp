@@ -1,0 +1,76 @@
+#include "press/summary.hpp"
+
+#include "core/toml.hpp"
+#include "core/version.hpp"
+#include "press/case_card.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace platen::press {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const core::Table&);
+Json json_of(const core::Value&);
+
+struct Convert {
+  Json operator()(const core::Table& table) const { return json_of(table); }
+  Json operator()(const std::vector<core::Value>& items) const {
+    Json list = Json::array();
+    for (const auto& item : items) list.push_back(json_of(item));
+    return list;
+  }
+  Json operator()(const auto& scalar) const { return scalar; }
+};
+
+Json json_of(const core::Value& value) { return std::visit(Convert{}, value.data); }
+
+Json json_of(const core::Table& table) {
+  Json object = Json::object();
+  for (const auto& [key, value] : table.entries) object[key] = json_of(value);
+  return object;
+}
+
+Json json_of(const Statistics& s) {
+  return {{"steps", s.steps},
+          {"iterations", s.iterations},
+          {"cuts", s.cuts},
+          {"elements", s.elements},
+          {"unknowns", s.unknowns},
+          {"local_continuations", s.local_continuations},
+          {"quadratic_steps", s.quadratic_steps},
+          {"material_s", s.material_s},
+          {"assembly_s", s.assembly_s},
+          {"factorisation_s", s.factorisation_s},
+          {"solve_s", s.solve_s},
+          {"total_s", s.total_s}};
+}
+
+Json last_point(const Curve& curve) {
+  if (curve.points.empty()) return nullptr;
+  const CurvePoint& p = curve.points.back();
+  return {{"delta_bar", p.delta_bar},
+          {"F_bar", p.F_bar},
+          {"force_N", p.force_N},
+          {"contact_radius_m", p.contact_radius_m},
+          {"work_J", p.work_J}};
+}
+
+} // namespace
+
+std::string summary_json(const Case& c, const Result& result) {
+  Json summary = {{"platen", core::version}, {"engine", core::engine}};
+  // Through the text of the card, so that card and summary cannot say different things.
+  summary["case"] = json_of(core::parse_toml(case_text(c), "case"));
+  summary["complete"] = !result.failure && !result.interrupted;
+  summary["failure"] = result.failure ? Json(*result.failure) : Json(nullptr);
+  summary["interrupted"] = result.interrupted;
+  summary["points"] = result.curve.points.size();
+  summary["last_point"] = last_point(result.curve);
+  summary["flags"] = result.flags;
+  summary["statistics"] = json_of(result.statistics);
+  return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace platen::press

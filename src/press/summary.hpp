@@ -1,0 +1,15 @@
+#pragma once
+// summary.json: what was pressed, by what, how it went.
+
+#include "press/case.hpp"
+#include "press/simple.hpp"
+
+#include <string>
+
+namespace platen::press {
+
+/// The resolved input, version and engine, the last point, statistics, flags and, when the press stopped
+/// early, where and why.
+std::string summary_json(const Case&, const Result&);
+
+} // namespace platen::press

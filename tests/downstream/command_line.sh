@@ -1,0 +1,130 @@
+#!/bin/bash
+# command_line.sh PROGRAM: what the program answers, and with which exit code (0, 2, 3, 4, 130).
+set -u
+platen=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder" || exit 1
+failures=0
+
+# answers CODE TEXT COMMAND...: the exit code, and a text that standard output or error contains
+answers() {
+  local code=$1 text=$2 got
+  shift 2
+  "$@" >answer 2>&1 </dev/null
+  got=$?
+  if [ $got -ne "$code" ] || ! grep -qF -- "$text" answer; then
+    failures=$((failures + 1))
+    echo "FAILED: $*"
+    echo "  wanted exit $code and the text: $text"
+    echo "  got exit $got and:"
+    sed 's/^/    /' answer
+  fi
+}
+
+has() { [ -e "$1" ] || { failures=$((failures + 1)); echo "FAILED: $1 is missing"; }; }
+has_not() { [ ! -e "$1" ] || { failures=$((failures + 1)); echo "FAILED: $1 is there"; }; }
+
+material() { # [KEY VALUE]...: a card with some lines replaced
+  local card
+  card=$(printf '%s\n' 'platen = 1' 'name = "granule"' 'model = "vmdc"' '[parameters]' 'rho_r0 = 0.7' \
+    'sigma_y_Pa = 150e6' 'nu = 0.3' 'E_bar = 100' 'Gamma_bar = 1' 'Lambda_bar = 0.01' 'epsilon = 0.7' 'eta = 10' \
+    'xi = 7.5' 'zeta = 10' 'omega = 10' 'xi_1 = 0.4' 'xi_2 = 1.5')
+  while [ $# -gt 0 ]; do
+    card=$(printf '%s\n' "$card" | sed "s|^$1 =.*|$2|")
+    shift 2
+  done
+  printf '%s\n' "$card" >material.toml
+}
+
+case_card() { # MATERIAL LINES...
+  printf '%s\n' 'platen = 1' 'experiment = "simple"' "material = \"$1\"" 'radius_m = 1e-3' "${@:2}" >case.toml
+}
+
+# --- help ---
+answers 0 'platen derive' "$platen"
+answers 0 'platen 0.' "$platen" --version
+for command in materials press fit derive; do answers 0 'Example:' "$platen" $command --help; done
+answers 0 'mcc-ph-200' "$platen" materials
+answers 0 'sigma_y_Pa' "$platen" materials mcc-ph-200
+answers 0 '"model": "vmdc"' "$platen" materials mcc-ph-200 --json
+
+# --- the command line ---
+answers 2 "did you mean 'derive'?" "$platen" deriv
+answers 2 'CURVE.csv' "$platen" fit
+answers 2 'CASE.toml' "$platen" press
+answers 2 '--no-such' "$platen" derive base-case --no-such
+answers 2 "did you mean 'base-case'?" "$platen" materials base-cas
+answers 2 'radius_m' "$platen" derive base-case --radius_m -1
+answers 2 '(0, 0.5]' "$platen" derive base-case --delta_bar_max 0.6
+
+# --- cards ---
+answers 2 'there is no such file' "$platen" derive missing.toml -o out
+printf 'platen = 1\nname = "x\n' >material.toml
+answers 2 'line 2' "$platen" derive material.toml -o out
+material sigma_y_Pa 'sigmay_Pa = 150e6'
+answers 2 "did you mean 'sigma_y_Pa'?" "$platen" derive material.toml -o out
+material E_bar 'E_MPa = 100'
+answers 2 'write E_Pa = 1e8' "$platen" derive material.toml -o out
+material E_bar 'E_Pa = "stiff"'
+answers 2 'is text; it must be a number > 0' "$platen" derive material.toml -o out
+for wrong in 'E_bar = 0:> 0' 'nu = 0.5:[0, 0.5)' 'nu = -0.1:[0, 0.5)' 'epsilon = 0:> 0' 'epsilon = -0.0783:> 0' \
+  'rho_r0 = 0:(0, 1]' 'rho_r0 = 1.1:(0, 1]'; do
+  line=${wrong%%:*}
+  material "${line%% *}" "$line"
+  answers 2 "${wrong#*:}" "$platen" derive material.toml -o out
+  grep -qF "material.toml, line" answer && grep -qF "$line" answer || {
+    failures=$((failures + 1))
+    echo "FAILED: file, line, key and value of '$line' are not named: $(cat answer)"
+  }
+done
+case_card base-case '[path]' 'delta_bar_max = 0.51'
+answers 2 '(0, 0.5]' "$platen" press case.toml -o out
+case_card base-case '[path]' 'delta_bar_max = 0'
+answers 2 '(0, 0.5]' "$platen" press case.toml -o out
+sed -i 's/"simple"/"die"/' case.toml
+answers 2 'not available yet' "$platen" press case.toml -o out
+has_not out
+
+# --- curves ---
+printf 'delta_m,force_N\n0,0\n1e-5,oops\n' >curve.csv
+answers 2 'line 3, column force_N' "$platen" fit curve.csv --radius_m 1e-3 --law edmans-sinka
+printf 'delta_m,force_N\n0,0\n1e-5,1\n' >curve.csv
+answers 2 '--radius_m' "$platen" fit curve.csv --law edmans-sinka
+answers 2 "did you mean 'edmans-sinka'?" "$platen" fit curve.csv --radius_m 1e-3 --law edmans-sink
+awk 'BEGIN { print "delta_m,force_N"; for (i = 0; i <= 50; ++i) print i * 1e-5 "," i * i * 1e-3 }' >curve.csv
+answers 0 'relative L2' "$platen" fit curve.csv --radius_m 1e-3 --law edmans-sinka
+answers 2 '--E_Pa' "$platen" fit curve.csv --radius_m 1e-3 --law edmans-sinka -o law.toml
+has_not law.toml
+answers 4 'cannot be written' "$platen" fit curve.csv --radius_m 1e-3 --E_Pa 1e9 --nu 0.3 --law edmans-sinka \
+  -o no/such/folder/law.toml
+
+# --- output ---
+case_card von-mises-100 '[path]' 'delta_bar_max = 0.02' '[mesh]' 'elements = 200' '[output]' 'fields_at = [0.02]'
+touch file
+answers 4 'name another with -o' "$platen" press case.toml -o file/out
+if [ "$(id -u)" -ne 0 ]; then
+  mkdir locked && chmod a-w locked
+  answers 4 'name another with -o' "$platen" press case.toml -o locked
+fi
+answers 0 'results in out' "$platen" press case.toml -o out
+for name in case.toml curve.csv summary.json zones.svg; do has out/$name; done
+answers 0 'relative L2' "$platen" fit out/curve.csv --law edmans-sinka -o law.toml
+has law.toml
+answers 0 'results in again' "$platen" press out/case.toml -o again
+cmp -s out/curve.csv again/curve.csv || { failures=$((failures + 1)); echo 'FAILED: out/case.toml gives another curve'; }
+
+# --- interrupted: what was computed is kept and can be read ---
+case_card base-case
+"$platen" press case.toml -o stopped >answer 2>&1 &
+press=$!
+sleep 1
+kill -INT $press
+wait $press
+[ $? -eq 130 ] || { failures=$((failures + 1)); echo "FAILED: Ctrl-C ended a press otherwise: $(cat answer)"; }
+has stopped/curve.csv
+grep -qF '"interrupted": true' stopped/summary.json || { failures=$((failures + 1)); echo 'FAILED: summary.json does not say so'; }
+find . -name '.*.*' -type f | grep -q . && { failures=$((failures + 1)); echo 'FAILED: temporary files were left'; }
+
+[ $failures -eq 0 ] && echo 'all answers as wanted'
+exit $((failures > 0))

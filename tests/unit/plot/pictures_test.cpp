@@ -1,0 +1,169 @@
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "plot/curve_picture.hpp"
+#include "plot/field_map.hpp"
+#include "plot/zone_map.hpp"
+#include "section.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <unistd.h>
+
+namespace platen {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for each test, gone afterwards.
+class Pictures : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::temp_directory_path() / ("platen-" + std::to_string(::getpid()) + "-" + test->name());
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+
+  fs::path folder_;
+};
+
+bool has_gnuplot() { return std::system("gnuplot --version > /dev/null 2>&1") == 0; }
+
+press::Curve curve() {
+  press::Curve curve;
+  curve.radius_m = 1e-3;
+  curve.sigma_ref_Pa = 150e6;
+  curve.experiment = "simple";
+  curve.material = "a \"quoted\" name with `backticks` and_subscript";
+  for (int i = 0; i <= 50; ++i) {
+    press::CurvePoint point;
+    point.delta_bar = 0.01 * i;
+    point.F_bar = 2 * point.delta_bar;
+    curve.points.push_back(point);
+  }
+  return curve;
+}
+
+const std::vector<double> overlap = {0, 0.25, 0.5}, force = {0, 0.6, 0.9};
+
+press::Zone by_radius(double r, double z) {
+  const double radius = std::hypot(r, z);
+  return radius < 0.3   ? press::Zone::shear
+         : radius < 0.6 ? press::Zone::tension
+         : radius < 0.8 ? press::Zone::compaction
+                        : press::Zone::elastic;
+}
+
+TEST_F(Pictures, AZoneMapNamesAllZonesAndEveryOverlap) {
+  plot::zone_map({test::quarter_disc(12, 0.1, by_radius), test::quarter_disc(12, 0.35, by_radius)},
+                 "A < B & \"C\"", folder_ / "zones.svg");
+  const std::string svg = core::read_file(folder_ / "zones.svg");
+  for (const char* word :
+       {"compaction", "shear", "tension", "elastic", "δ̄ = 0.1<", "δ̄ = 0.35<", "A &lt; B &amp; &quot;C&quot;"})
+    EXPECT_NE(svg.find(word), std::string::npos) << word;
+  EXPECT_EQ(svg.substr(svg.size() - 7), "</svg>\n");
+  EXPECT_EQ(files(), 1u); // nothing half-written beside it
+}
+
+// The size that a picture in a README or a run folder may have; the bound is the project's own.
+TEST_F(Pictures, AZoneMapOfFiveThousandElementsStaysBelow600kBAPanel) {
+  const auto chequered = [](double r, double z) {
+    return std::sin(60 * r) * std::sin(50 * z) > 0.6 ? press::Zone::tension : press::Zone::elastic;
+  };
+  plot::zone_map({test::quarter_disc(71, 0.3, chequered)}, "many small patches", folder_ / "zones.svg");
+  EXPECT_LT(fs::file_size(folder_ / "zones.svg"), 600'000u);
+}
+
+TEST_F(Pictures, EqualInputGivesEqualFiles) {
+  const std::vector snapshots = {test::quarter_disc(12, 0.1, by_radius)};
+  plot::zone_map(snapshots, "title", folder_ / "one.svg");
+  plot::zone_map(snapshots, "title", folder_ / "two.svg");
+  EXPECT_EQ(core::read_file(folder_ / "one.svg"), core::read_file(folder_ / "two.svg"));
+}
+
+TEST_F(Pictures, AFieldMapShowsTheEndsOfItsScale) {
+  auto snapshot = test::quarter_disc(12, 0.5, by_radius);
+  for (std::size_t i = 0; i < snapshot.rho_r.size(); ++i) snapshot.rho_r[i] = i < 72 ? 0.7 : 0.8;
+  plot::field_map({snapshot}, plot::relative_density(), "density", folder_ / "rho.svg");
+  const std::string svg = core::read_file(folder_ / "rho.svg");
+  EXPECT_NE(svg.find(">0.7<"), std::string::npos);
+  EXPECT_NE(svg.find(">0.8<"), std::string::npos);
+  EXPECT_NE(svg.find("relative density"), std::string::npos);
+}
+
+TEST_F(Pictures, AConstantFieldIsDrawnAsWell) {
+  auto snapshot = test::quarter_disc(6, 0.1, by_radius);
+  snapshot.rho_r.assign(snapshot.rho_r.size(), 0.7);
+  EXPECT_NO_THROW(plot::field_map({snapshot}, plot::relative_density(), "", folder_ / "rho.svg"));
+}
+
+TEST_F(Pictures, RefuseSnapshotsThatDoNotFitTogether) {
+  auto snapshot = test::quarter_disc(6, 0.1, by_radius);
+  EXPECT_THROW(plot::zone_map({}, "", folder_ / "z.svg"), core::InvalidInput);
+  EXPECT_THROW(plot::zone_map({snapshot}, "", folder_ / "z.gif"), core::InvalidInput);
+  snapshot.zones.pop_back();
+  EXPECT_THROW(plot::zone_map({snapshot}, "", folder_ / "z.svg"), core::InvalidInput);
+  snapshot = test::quarter_disc(6, 0.1, by_radius);
+  snapshot.quads[3][2] = 4711;
+  EXPECT_THROW(plot::field_map({snapshot}, plot::relative_density(), "", folder_ / "z.svg"),
+               core::InvalidInput);
+  EXPECT_EQ(files(), 0u);
+}
+
+TEST_F(Pictures, AFolderThatIsNotThereIsSaid) {
+  EXPECT_THROW(plot::zone_map({test::quarter_disc(4, 0.1, by_radius)}, "", folder_ / "no" / "z.svg"),
+               core::IoError);
+  EXPECT_THROW(plot::curve_with_law(curve(), overlap, force, "law", folder_ / "no" / "c.svg"), core::IoError);
+}
+
+TEST_F(Pictures, ACurveWithItsLawIsDrawnAsSvgAndPng) {
+  if (!has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
+  plot::curve_with_law(curve(), overlap, force, "edmans-sinka", folder_ / "curve.svg");
+  plot::curve_with_law(curve(), overlap, force, "edmans-sinka", folder_ / "curve.png");
+  const std::string svg = core::read_file(folder_ / "curve.svg"),
+                    png = core::read_file(folder_ / "curve.png");
+  EXPECT_NE(svg.find("edmans-sinka"), std::string::npos);
+  EXPECT_NE(svg.find("µm"), std::string::npos);
+  EXPECT_EQ(png.substr(1, 3), "PNG");
+  EXPECT_EQ(files(), 2u);
+}
+
+TEST_F(Pictures, AZoneMapIsDrawnAsPng) {
+  if (!has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
+  plot::zone_map({test::quarter_disc(6, 0.1, by_radius)}, "it's a title", folder_ / "zones.png");
+  EXPECT_EQ(core::read_file(folder_ / "zones.png").substr(1, 3), "PNG");
+}
+
+TEST_F(Pictures, WithoutGnuplotOneSentenceSaysWhatToInstall) {
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", folder_.c_str(), 1);
+  std::string said;
+  try {
+    plot::curve_with_law(curve(), overlap, force, "law", folder_ / "curve.svg");
+  } catch (const core::IoError& error) { said = error.what(); }
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_NE(said.find("install the package gnuplot-nox"), std::string::npos) << said;
+  EXPECT_EQ(files(), 0u);
+}
+
+TEST_F(Pictures, RefuseLawsAndCurvesThatCannotBeDrawn) {
+  EXPECT_THROW(plot::curve_with_law(curve(), {0, 0.5}, {0}, "law", folder_ / "c.svg"), core::InvalidInput);
+  EXPECT_THROW(plot::curve_with_law(curve(), {0, 0.5, 0.4}, force, "law", folder_ / "c.svg"),
+               core::InvalidInput);
+  EXPECT_THROW(plot::curve_with_law(press::Curve{}, overlap, force, "law", folder_ / "c.svg"),
+               core::InvalidInput);
+  auto broken = curve();
+  broken.points[3].F_bar = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(plot::curve_with_law(broken, overlap, force, "law", folder_ / "c.svg"), core::InvalidInput);
+}
+
+} // namespace
+} // namespace platen
