@@ -12,5 +12,8 @@ void add_materials(CLI::App&);
 void add_press(CLI::App&);
 void add_fit(CLI::App&);
 void add_derive(CLI::App&);
+void add_laws(CLI::App&);
+void add_eval(CLI::App&);
+void add_export(CLI::App&);
 
 } // namespace platen::app

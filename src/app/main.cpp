@@ -48,6 +48,9 @@ int run(int argc, char** argv) {
   app::add_press(program);
   app::add_fit(program);
   app::add_derive(program);
+  app::add_laws(program);
+  app::add_eval(program);
+  app::add_export(program);
   try {
     refuse_unknown_command(program, argc, argv);
     program.parse(argc, argv); // runs the command's callback

@@ -114,6 +114,18 @@ has law.toml
 answers 0 'results in again' "$platen" press out/case.toml -o again
 cmp -s out/curve.csv again/curve.csv || { failures=$((failures + 1)); echo 'FAILED: out/case.toml gives another curve'; }
 
+# --- laws: each answer against a number from outside ---
+answers 0 'edmans-sinka' "$platen" laws
+answers 0 'sigma_c_Pa' "$platen" laws wang
+answers 0 'F_y      9.0560' "$platen" laws wang -p radius_m=0.1 -p E_Pa=1e10 -p nu=0.15 -p phi_deg=25 -p sigma_c_Pa=15e6
+answers 2 "did you mean 'wang'" "$platen" laws wan
+answers 0 ',loading,0,true' "$platen" eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-6:3
+answers 0 'warning: 1 of 2 points are outside' "$platen" eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-3:2
+answers 2 'known are: hertz, similarity' "$platen" eval hertzz --overlap 0:1:3
+answers 2 'known are: radius_m' "$platen" eval hertz -p radius=1 --overlap 0:1:3
+answers 2 'nu = 0.5 is not in [0, 0.5)' "$platen" eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.5 --overlap 0:1:3
+answers 0 'unloading_exponent' "$platen" export table hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 1e-7:1e-6:3
+
 # --- interrupted: what was computed is kept and can be read ---
 case_card base-case
 "$platen" press case.toml -o stopped >answer 2>&1 &

@@ -33,81 +33,77 @@ struct Agarwal {
   AgarwalCurve<double> curve; ///< exact; the tables follow it to 1e-4
   double x_first = 0;         ///< the published force is unreliable below 0.05
   double x_valid = 0.5;
-  double x_cap = 0.6; ///< from here on the tangent
-  LogTable plastic;   ///< x_y to x_min, or to x_cap in simple loading
+  double x_cap = 0.6;   ///< from here on the tangent
+  LoadingTable plastic; ///< x_y to x_min, or to x_cap in simple loading
   ClosureTable closure;
   Loading<double> cap; ///< F_bar, dF_bar/dx and a_bar at x_cap
   CurveHistory at_cap;
+  SlopeTable slopes; ///< from x_y to x_cap
+  double slope_at_cap = 0;
 
-  /// F_bar and dF_bar/dx
-  PLATEN_FUNCTION void force(double x, double& F, double& slope) const {
-    if (x <= curve.x_y) {
-      const auto point = curve.at(x);
-      F = point.F;
-      slope = point.slope;
-    } else if (x <= plastic.x_high) {
-      plastic.at(x, F, slope);
-    } else if (x <= x_cap) {
-      if (x <= closure.x_high) {
-        closure.at(x, F, slope);
-      } else {
-        const auto point = curve.at(x);
-        F = point.F;
-        slope = point.slope;
-      }
-    } else {
-      F = cap.F + cap.slope * (x - x_cap);
-      slope = cap.slope;
+  /// F_bar, dF_bar/dx and the history, all but the radius.
+  PLATEN_HOT void force(double x, Loading<double>& here) const {
+    if (x < plastic.x_low()) return outside(x, here);
+    if (x <= plastic.x_high()) return plastic.at(x, here);
+    if (x <= closure.x_high) return closure.at(x, here);
+    outside(x, here);
+  }
+
+  /// The regimes that are cheap or rare: elastic, elastic volumetric, and the tangent.
+  PLATEN_RARE void outside(double x, Loading<double>& here) const {
+    if (x_cap < x) {
+      here.F = cap.F + cap.slope * (x - x_cap);
+      here.slope = cap.slope;
+      here.steepest = at_cap.steepest;
+      here.least_a = 0; // the radius is held
+      return;
     }
+    const auto point = curve.at(x);
+    here.F = point.F;
+    here.slope = point.slope;
+    here.steepest = x <= curve.x_y ? 1.5 : larger(closure.end.steepest, x * point.slope / point.F);
+    here.least_a = x <= curve.x_y ? curve.radius.log_slope(x) : at_cap.least_a;
   }
 
-  [[nodiscard]] PLATEN_FUNCTION Loading<double> loading(double gamma) const {
+  [[nodiscard]] PLATEN_HOT Loading<double> loading(double gamma) const {
     const double x = gamma * pair.x_per_gamma;
-    double F = 0, slope = 0, a = 0, a_log_slope = 0;
-    force(x, F, slope);
-    curve.contact_radius(x < x_cap ? x : x_cap, a, a_log_slope);
-    return {force_scale * F, force_scale * pair.x_per_gamma * slope, pair.R_e * a};
+    Loading<double> here;
+    force(x, here);
+    double a_log_slope = 0;
+    curve.contact_radius(x < x_cap ? x : x_cap, here.a, a_log_slope);
+    here.F *= force_scale;
+    here.slope *= force_scale * pair.x_per_gamma;
+    here.a *= pair.R_e;
+    return here;
   }
 
-  [[nodiscard]] PLATEN_FUNCTION bool in_range(double gamma) const {
+  [[nodiscard]] PLATEN_HOT bool in_range(double gamma) const {
     const double x = gamma * pair.x_per_gamma;
     return material_in_range && x >= x_first && x <= x_valid;
   }
 
-  /// Work, steepest log slope and least growth of the radius, up to x.
-  [[nodiscard]] PLATEN_FUNCTION CurveHistory history(double x) const {
-    if (x <= curve.x_y) return {elastic_work(x), 1.5, curve.radius.log_slope(x)};
-    if (x <= plastic.x_high) return plastic.history(x);
-    if (x <= closure.x_high) return closure.history(x);
-    if (x <= x_cap) {
-      CurveHistory h = closure.end;
-      const auto point = curve.at(x);
-      h.work += volumetric_work(x);
-      h.steepest = larger(h.steepest, x * point.slope / point.F);
-      h.least_a = at_cap.least_a;
-      return h;
-    }
-    CurveHistory h = at_cap;
-    h.work += (x - x_cap) * (cap.F + cap.slope * (x - x_cap) / 2);
-    h.least_a = 0; // the radius is held
-    return h;
+  /// Work up to x.
+  [[nodiscard]] PLATEN_FUNCTION double work_bar(double x) const {
+    if (x <= curve.x_y) return elastic_work(x);
+    if (x <= plastic.x_high()) return plastic.work(x);
+    if (x <= closure.x_high) return closure.work(x);
+    if (x <= x_cap) return closure.end.work + volumetric_work(x);
+    return at_cap.work + (x - x_cap) * (cap.F + cap.slope * (x - x_cap) / 2);
   }
 
   [[nodiscard]] PLATEN_FUNCTION double work(double gamma) const {
-    return force_scale / pair.x_per_gamma * history(gamma * pair.x_per_gamma).work;
+    return force_scale / pair.x_per_gamma * work_bar(gamma * pair.x_per_gamma);
   }
 
-  [[nodiscard]] PLATEN_FUNCTION Unloading<double> unloading(double gamma, const Loading<double>& peak) const {
+  [[nodiscard]] PLATEN_HOT Unloading<double> unloading(double gamma, const Loading<double>& peak) const {
     const double x = gamma * pair.x_per_gamma;
-    const CurveHistory h = history(x);
-    // The finite size of the sphere stiffens the unloading; faded in from yield on, where unloading is
-    // Hertz's.
-    const double S = pair.unloading_slope(peak.a, 1 - curve.x_y / x);
-    return unloading_from_slope(gamma, peak.F, S, 1.5, h.steepest, h.least_a);
+    if (x <= curve.x_y) return {0, 1.5}; // never followed: elastic
+    const double S_gamma = x < x_cap ? slopes.value(x) : slope_at_cap * x;
+    return unloading_from_slope(gamma, peak, S_gamma, 1.5);
   }
 
   /// Integral of the elastic F_bar: 4 lambda/(3 pi) sqrt(x) a_bar^2.
-  [[nodiscard]] PLATEN_FUNCTION double elastic_work(double x) const {
+  [[nodiscard]] PLATEN_RARE double elastic_work(double x) const {
     const double scale = 4 / (3 * std::numbers::pi) * curve.lambda * x * x * std::sqrt(x);
     if (curve.variant == AgarwalVariant::hertz_radius) return scale / 2.5;
     const double D1 = curve.radius.D1, D3 = curve.radius.D3, D5 = curve.radius.D5;
@@ -117,7 +113,7 @@ struct Agarwal {
   }
 
   /// From x_zp to x; the integrand is a polynomial of degree 8, which five Gauss points integrate exactly.
-  [[nodiscard]] PLATEN_FUNCTION double volumetric_work(double x) const {
+  [[nodiscard]] PLATEN_RARE double volumetric_work(double x) const {
     const double point[3] = {0, 0.5384693101056831, 0.9061798459386640};
     const double weight[3] = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
     const double half = (x - closure.x_high) / 2, middle = (x + closure.x_high) / 2;
@@ -179,6 +175,13 @@ inline Agarwal prepare_agarwal(const AgarwalMaterial& m1, const Body& one, const
   }
   const auto end = curve.at(law.x_cap);
   law.cap = {end.F, end.slope, end.a};
+  // The finite size of the sphere stiffens the unloading; faded in from yield on, where unloading is Hertz's.
+  const auto slope = [&](double x) {
+    return law.pair.unloading_slope(law.pair.R_e * curve.at(x).a, 1 - curve.x_y / x) / law.pair.x_per_gamma *
+           x;
+  };
+  law.slopes.make(curve.x_y, law.x_cap, slope);
+  law.slope_at_cap = slope(law.x_cap) / law.x_cap;
   return law;
 }
 

@@ -12,9 +12,13 @@
 //   law.gamma_elastic    up to this overlap unloading retraces the loading curve (0: no elastic range)
 //   law.gamma_limit      overlap beyond which everything is held constant (far outside any validity)
 //
+// A contact remembers nothing but its last and its largest overlap: the unloading curve follows from the
+// largest one. It is found anew at each call, from small tables: cheaper than reading it back from memory.
+//
 // Adhesion is in none of the papers. An adhesive law would return negative forces from `loading` and
 // `unloading`; nothing here assumes more than F(0) = 0 at first contact.
 
+#include "platen/law/fast_power.hpp"
 #include "platen/law/macros.hpp"
 
 #include <cmath>
@@ -25,15 +29,10 @@ namespace platen::law {
 
 enum class Branch : unsigned char { separated, loading, unloading, reloading };
 
-/// What one contact remembers. Zero-initialised at first touch; both sides share it, so swapping them is
-/// free.
+/// What one contact remembers. Zero at first touch; both sides share it, so swapping them changes nothing.
 template <class Real = double> struct BasicState {
   Real gamma{};     ///< last overlap [m]; tells unloading from reloading
   Real gamma_max{}; ///< largest overlap so far [m]
-  Real gamma_0{};   ///< overlap at which the force returns to zero [m]   } found when unloading starts,
-  Real F_max{};     ///< force at gamma_max [N]                           } then kept
-  Real a_max{};     ///< contact radius at gamma_max [m]                  }
-  Real alpha{};     ///< exponent of the unloading curve; 0 while it is not known
 };
 
 template <class Real = double> struct BasicResponse {
@@ -52,15 +51,21 @@ using Response = BasicResponse<double>;
 
 /// A point of a loading curve.
 template <class Real = double> struct Loading {
-  Real F{};     ///< [N]
-  Real slope{}; ///< dF/dgamma [N/m]
-  Real a{};     ///< contact radius [m]
+  Real F{};        ///< [N]
+  Real slope{};    ///< dF/dgamma [N/m]
+  Real a{};        ///< contact radius [m]
+  Real steepest{}; ///< largest d ln F/d ln gamma from 0 to here; for unloading
+  Real least_a{};  ///< lower bound of d ln S/d ln gamma from 0 to here, S the unloading slope; for unloading
 };
 
-/// F = F_max ((gamma - gamma_0) / (gamma_max - gamma_0))^alpha
+/// F = F_max xi^alpha, xi = 1 - rate (gamma_max - gamma); the force ends at gamma_0 = gamma_max - 1/rate.
 template <class Real = double> struct Unloading {
-  Real gamma_0{};
-  Real alpha{};
+  Real rate{};  ///< [1/m]
+  Real alpha{}; ///< [-]
+
+  [[nodiscard]] PLATEN_FUNCTION Real gamma_0(const Real& gamma_max) const {
+    return gamma_max - Real(1) / rate;
+  }
 };
 
 template <class Law>
@@ -78,29 +83,34 @@ template <class Real> PLATEN_FUNCTION Real larger(const Real& a, const Real& b) 
 template <class Real> PLATEN_FUNCTION Real smaller(const Real& a, const Real& b) { return b < a ? b : a; }
 
 /// The power-law unloading curve that leaves (gamma_max, F_max) with slope S and exponent alpha, made stiffer
-/// where it would create energy. With n the steepest d ln F/d ln gamma of the loading curve so far, s a lower
-/// bound of d ln S/d ln gamma_max, and beta = S gamma_max/F_max:
+/// where it would create energy. With beta = S gamma_max/F_max, n the steepest d ln F/d ln gamma of the
+/// loading curve so far and s a lower bound of d ln S/d ln gamma_max:
 /// - below the loading curve: beta >= n, since (1 - t beta/alpha)^alpha <= (1 - t)^beta (Bernoulli);
 /// - the work that comes back grows by less than F_max d gamma_max:
 ///     residual overlap (beta > alpha):  beta >= alpha (2n - s)/(1 + alpha)
 ///     bent to end at the origin:        beta (beta + 2 + s) >= n (1 + 2 beta)
 /// Hertz (n = 3/2, s = 1/2) meets both with equality at beta = alpha = 3/2, and unloads along itself.
+/// Given as S_gamma = S gamma_max [N], because that is what tables hold.
 template <class Real>
-PLATEN_FUNCTION Unloading<Real> unloading_from_slope(const Real& gamma_max, const Real& F_max, const Real& S,
-                                                     const Real& alpha, const Real& n, const Real& s) {
+PLATEN_HOT Unloading<Real> unloading_from_slope(const Real& gamma_max, const Loading<Real>& peak,
+                                                const Real& S_gamma, const Real& alpha) {
   using std::sqrt;
-  if (!(F_max > Real(0))) return {gamma_max, Real(1)};
-  const Real half = n - Real(1) - s / Real(2);
-  Real beta = larger(S * gamma_max / F_max, larger(n, half + sqrt(half * half + n)));
-  if (beta <= alpha) return {Real(0), beta};
-  beta = larger(beta, alpha * (Real(2) * n - s) / (Real(1) + alpha));
-  return {gamma_max * (Real(1) - alpha / beta), alpha};
+  Real beta_F = S_gamma;                           // beta F_max
+  if (beta_F < Real(2) * peak.steepest * peak.F) { // else it is stiff enough for all three
+    const Real n = peak.steepest, s = peak.least_a, half = n - Real(1) - s / Real(2);
+    beta_F = larger(beta_F, peak.F * larger(n, half + sqrt(half * half + n)));
+    if (alpha * peak.F < beta_F)
+      beta_F = larger(beta_F, peak.F * alpha * (Real(2) * n - s) / (Real(1) + alpha));
+    if (!(alpha * peak.F < beta_F)) return {Real(1) / gamma_max, beta_F / peak.F};
+  }
+  return {beta_F / (alpha * peak.F * gamma_max), alpha};
 }
 
-template <class Real> PLATEN_FUNCTION Real power(const Real& base, const Real& exponent) {
+template <class Real> PLATEN_HOT Real power(const Real& base, const Real& exponent) {
   using std::pow, std::sqrt;
   if (exponent == Real(0.5)) return sqrt(base); // the generic unloading; several times faster
-  return pow(base, exponent);
+  if constexpr (std::same_as<Real, double>) return detail::fast_power(base, exponent);
+  else return pow(base, exponent);
 }
 
 namespace detail {
@@ -109,68 +119,49 @@ template <class Real> PLATEN_FUNCTION Real mean_pressure(const Real& F, const Re
   return a > Real(0) ? F / (Real(std::numbers::pi) * a * a) : Real(0);
 }
 
+/// Work that unloading from gamma_max does not return.
 template <class Law, class Real>
-PLATEN_FUNCTION Real dissipated_work(const Law& law, const Real& gamma_max, const Real& F_max,
-                                     const Unloading<Real>& end) {
-  Real back = F_max * (gamma_max - end.gamma_0) / (Real(1) + end.alpha);
-  if (end.gamma_0 < Real(0)) { // only some published curves, which still carry force when the bodies part
-    const Real xi = end.gamma_0 / (end.gamma_0 - gamma_max);
+PLATEN_HOT Real dissipated_work(const Law& law, const Real& gamma_max, const Real& F_max,
+                                const Unloading<Real>& end) {
+  Real back = F_max / (end.rate * (Real(1) + end.alpha));
+  const Real xi = Real(1) - end.rate * gamma_max;
+  if (Real(1e-9) < xi) // only some published curves, which still carry force when the bodies part
     back = back * (Real(1) - xi * power(xi, end.alpha));
-  }
   return law.work(gamma_max) - back;
 }
 
 } // namespace detail
 
-/// The whole law in one pure step: remembered state and overlap in, response and new state out.
+/// The whole law in one pure step: remembered state and overlap in, response and new state out. On the
+/// loading curve the unloading formula returns F_max itself, so loading and unloading share one path without
+/// a branch.
 template <ContactLaw Law, class Real = typename Law::Scalar>
-PLATEN_FUNCTION BasicResponse<Real> evaluate(const Law& law, const BasicState<Real>& old,
-                                             const Real& overlap) {
+PLATEN_HOT BasicResponse<Real> evaluate(const Law& law, const BasicState<Real>& old, const Real& overlap) {
   BasicResponse<Real> now;
   const bool beyond = law.gamma_limit < overlap;
   const Real gamma = beyond ? Real(law.gamma_limit) : overlap;
-  now.state = old;
-  now.state.gamma = gamma;
-  now.in_range = !beyond && law.in_range(larger(gamma, old.gamma_max));
+  const Real gamma_max = larger(gamma, old.gamma_max);
+  now.state = {gamma, gamma_max};
+  now.in_range = !beyond && law.in_range(gamma_max);
 
-  const bool new_maximum = old.gamma_max < gamma;
-  const bool elastic = old.gamma_max <= law.gamma_elastic;
-  if (new_maximum || elastic) { // on the loading curve, up or down
-    if (new_maximum) {
-      now.state.gamma_max = gamma;
-      now.state.alpha = Real(0);
-    }
-    if (!(gamma > Real(0))) return now;
-    const Loading<Real> at = law.loading(gamma);
-    now.force = at.F;
-    now.stiffness = beyond ? Real(0) : at.slope;
-    now.contact_radius = at.a;
-    now.mean_pressure = detail::mean_pressure(at.F, at.a);
-    now.branch = new_maximum ? Branch::loading : gamma < old.gamma ? Branch::unloading : Branch::reloading;
-    if (law.gamma_elastic < gamma)
-      now.dissipated_work = detail::dissipated_work(law, gamma, at.F, law.unloading(gamma, at));
-    return now;
-  }
+  const bool elastic = gamma_max <= law.gamma_elastic;
+  const Real top = elastic ? gamma : gamma_max; // where the loading curve is left
+  if (!(Real(0) < top)) return now;             // never touched, or apart without a trace
+  const Loading<Real> peak = law.loading(top);
+  if (!(Real(0) < peak.F)) return now; // an overlap so small that its force is no number
+  const Unloading<Real> end = law.unloading(top, peak);
+  now.dissipated_work = elastic ? Real(0) : detail::dissipated_work(law, top, peak.F, end);
+  const Real xi = Real(1) - end.rate * (top - gamma);
+  if (!(Real(0) < xi && Real(0) < gamma)) return now; // separated
 
-  if (old.alpha == Real(0)) { // unloading starts: find its curve once
-    const Loading<Real> peak = law.loading(old.gamma_max);
-    const Unloading<Real> end = law.unloading(old.gamma_max, peak);
-    now.state.F_max = peak.F;
-    now.state.a_max = peak.a;
-    now.state.gamma_0 = end.gamma_0;
-    now.state.alpha = end.alpha;
-  }
-  const BasicState<Real>& s = now.state;
-  now.dissipated_work = detail::dissipated_work(law, s.gamma_max, s.F_max, {s.gamma_0, s.alpha});
-  if (gamma <= s.gamma_0 || !(gamma > Real(0))) return now;
-  const Real xi = (gamma - s.gamma_0) / (s.gamma_max - s.gamma_0);
-  const Real shrink = power(xi, s.alpha - Real(1));
-  now.force = s.F_max * xi * shrink;
-  now.stiffness = s.F_max * s.alpha * shrink / (s.gamma_max - s.gamma_0);
-  now.contact_radius =
-      s.a_max * shrink; // so that dF/dgamma stays proportional to a, as for any elastic punch
+  const Real shrink = power(xi, end.alpha - Real(1));
+  now.force = peak.F * xi * shrink;
+  now.stiffness = beyond ? Real(0) : gamma < top ? peak.F * end.alpha * shrink * end.rate : peak.slope;
+  now.contact_radius = peak.a * shrink; // so that dF/dgamma stays proportional to a, as for any elastic punch
   now.mean_pressure = detail::mean_pressure(now.force, now.contact_radius);
-  now.branch = gamma < old.gamma ? Branch::unloading : Branch::reloading;
+  now.branch = old.gamma_max < gamma ? Branch::loading
+               : gamma < old.gamma   ? Branch::unloading
+                                     : Branch::reloading;
   return now;
 }
 

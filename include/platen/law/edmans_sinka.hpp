@@ -11,6 +11,7 @@
 
 #include "platen/law/contact.hpp"
 #include "platen/law/edmans_sinka_curve.hpp"
+#include "platen/law/log_table.hpp"
 #include "platen/law/pair.hpp"
 #include "platen/law/radius_polynomial.hpp"
 
@@ -53,19 +54,37 @@ template <class Real = double> struct EdmansSinka {
   Real force_scale{};   ///< pi R_e^2 sigma_ref [N]
   Real gamma_elastic{}; ///< 0: the law has no elastic range
   Real gamma_limit{};
+  LogTable<4, 128> rates[2]; ///< rate gamma_max of the generic unloading below and above delta_t, for double
+  double x_fast = infinity;  ///< from here on they hold
+  bool plain = false;        ///< a variant that is (6) itself
   int unloadings = 0;
   Real unload_x[EdmansSinkaMaterial::most_unloadings]{};
   Real alpha[EdmansSinkaMaterial::most_unloadings]{};
   Real beta[EdmansSinkaMaterial::most_unloadings]{};
 
-  [[nodiscard]] PLATEN_FUNCTION Loading<Real> loading(const Real& gamma) const {
+  [[nodiscard]] PLATEN_HOT Loading<Real> loading(const Real& gamma) const {
     const Real x = gamma * pair.x_per_gamma;
-    const auto point = curve.at(x);
-    return {force_scale * point.F_bar, force_scale * pair.x_per_gamma * point.slope,
-            pair.R_e * radius.a_bar(smaller(x, Real(EdmansSinkaCurve<Real>::x_end)))};
+    if constexpr (std::same_as<Real, double>) {
+      if (plain && x < EdmansSinkaCurve<double>::x_end) { // (6) without a branch
+        const double first = smaller(x, curve.delta_t), ax = curve.a * (x - first);
+        const double F = force_scale * curve.k * first * detail::fast_exp(ax);
+        const bool exponential = curve.delta_t < x;
+        return {F, (exponential ? curve.a * F : force_scale * curve.k) * pair.x_per_gamma,
+                pair.R_e * radius.a_bar(x), exponential ? larger(1.0, curve.a * x) : 1.0, radius_log_slope};
+      }
+    }
+    return general_loading(x);
   }
 
-  [[nodiscard]] PLATEN_FUNCTION bool in_range(const Real& gamma) const {
+  [[nodiscard]] PLATEN_FUNCTION Loading<Real> general_loading(const Real& x) const {
+    const auto point = curve.at(x);
+    const bool inside = x < Real(EdmansSinkaCurve<Real>::x_end);
+    return {force_scale * point.F_bar, force_scale * pair.x_per_gamma * point.slope,
+            pair.R_e * radius.a_bar(inside ? x : Real(EdmansSinkaCurve<Real>::x_end)),
+            curve.steepest_log_slope(x, steepest_in_corner), inside ? radius_log_slope : Real(0)};
+  }
+
+  [[nodiscard]] PLATEN_HOT bool in_range(const Real& gamma) const {
     return gamma * pair.x_per_gamma <= Real(EdmansSinkaCurve<Real>::x_valid);
   }
 
@@ -73,14 +92,26 @@ template <class Real = double> struct EdmansSinka {
     return force_scale / pair.x_per_gamma * curve.work(gamma * pair.x_per_gamma);
   }
 
-  [[nodiscard]] PLATEN_FUNCTION Unloading<Real> unloading(const Real& gamma,
+  [[nodiscard]] PLATEN_HOT Unloading<Real> unloading(const Real& gamma, const Loading<Real>& peak) const {
+    if constexpr (std::same_as<Real, double>) {
+      const double x = gamma * pair.x_per_gamma;
+      if (x_fast < x && x < EdmansSinkaCurve<double>::x_end)
+        return {rates[x > curve.delta_t].value(x) / gamma, 1.5};
+    }
+    return any_unloading(gamma, peak);
+  }
+
+  /// Soft or far contacts, measured unloading curves, other scalars.
+  [[nodiscard]] PLATEN_RARE Unloading<Real> any_unloading(const Real& gamma,
                                                           const Loading<Real>& peak) const {
+    if (unloadings > 0) return measured_unloading(gamma, peak);
+    return unloading_from_slope(gamma, peak, pair.unloading_slope(peak.a) * gamma, Real(1.5));
+  }
+
+  [[nodiscard]] PLATEN_RARE Unloading<Real> measured_unloading(const Real& gamma,
+                                                               const Loading<Real>& peak) const {
     using std::cbrt;
     const Real x = gamma * pair.x_per_gamma;
-    const Real n_star = curve.steepest_log_slope(x, steepest_in_corner);
-    if (unloadings == 0)
-      return unloading_from_slope(gamma, peak.F, pair.unloading_slope(peak.a), Real(1.5), n_star,
-                                  x < Real(EdmansSinkaCurve<Real>::x_end) ? radius_log_slope : Real(0));
     int i = 0;
     while (i + 2 < unloadings && unload_x[i + 1] < x) ++i;
     Real al = alpha[0], be = beta[0];
@@ -92,7 +123,7 @@ template <class Real = double> struct EdmansSinka {
     // (10), (12): the overlap at which Hertz carries this force; (11): beta = that over gamma_max - gamma_0
     const Real q = Real(0.75) * peak.F / pair.E_star;
     const Real gamma_hertz = cbrt(q * q * pair.A);
-    return unloading_from_slope(gamma, peak.F, al * be * peak.F / gamma_hertz, al, n_star, Real(0));
+    return unloading_from_slope(gamma, peak, al * be * gamma / gamma_hertz * peak.F, al);
   }
 };
 
@@ -119,6 +150,30 @@ inline void check(const EdmansSinkaMaterial& m) {
   }
 }
 
+/// The generic unloading slope against x; it depends on the radius and both sides' elasticity, not on the
+/// force.
+inline void tabulate_slopes(EdmansSinka<double>& law) {
+  constexpr double x_end = EdmansSinkaCurve<double>::x_end, least = 0x1p-6;
+  const auto rate =
+      [&](double x) { // rate gamma_max, or nothing where the generic curve had to be bent or stiffened
+        const double gamma = x / law.pair.x_per_gamma;
+        const Loading<double> peak = law.loading(gamma);
+        const double beta = law.pair.unloading_slope(peak.a) * gamma / peak.F;
+        return beta > 1.5 && beta > 2 * peak.steepest ? beta / 1.5 : 0;
+      };
+  law.x_fast = infinity;
+  if (law.unloadings > 0 || !law.plain) return;
+  double x = x_end;
+  while (x > least && rate(x / 1.01) > 0) x /= 1.01;
+  if (x > 0.9 * x_end) return;
+  law.x_fast = x;
+  const double kink = law.curve.delta_t; // of F, hence of the rate: one table on either side
+  if (x < kink) law.rates[0].make(x, kink, [&](double at) { return rate(smaller(at, kink * (1 - 1e-15))); });
+  if (kink < x_end)
+    law.rates[1].make(larger(x, kink), x_end,
+                      [&](double at) { return rate(larger(at, kink * (1 + 1e-15))); });
+}
+
 inline auto strength(const EdmansSinkaMaterial& m) {
   return std::make_tuple(m.sigma_ref * m.k * m.delta_t, m.sigma_ref, m.k, m.a, m.corner, m.variant);
 }
@@ -137,11 +192,14 @@ inline EdmansSinka<double> prepare(const EdmansSinkaMaterial& m1, double R1, con
   law.pair = make_pair(sphere(R1, m1.E, m1.nu), sphere(R2, m2.E, m2.nu)); // R = infinity is a plane
   law.curve = {soft.k, soft.delta_t, soft.a, soft.corner, soft.variant};
   law.steepest_in_corner = law.curve.steepest_in_corner();
+  law.unloadings = soft.unloadings;
   law.radius = soft.radius;
   law.radius_log_slope = soft.radius.least_log_slope(EdmansSinkaCurve<double>::x_end);
   law.force_scale = std::numbers::pi * law.pair.R_e * law.pair.R_e * soft.sigma_ref;
   law.gamma_limit = 1000 / law.pair.x_per_gamma;
-  law.unloadings = soft.unloadings;
+  law.plain = soft.variant == EdmansSinkaVariant::published ||
+              soft.variant == EdmansSinkaVariant::published_corrected;
+  detail::tabulate_slopes(law);
   for (int i = 0; i < soft.unloadings; ++i) {
     law.unload_x[i] = soft.unload_delta_bar[i];
     law.alpha[i] = soft.alpha[i];
@@ -158,6 +216,7 @@ inline EdmansSinka<double> prepare_on_rigid_plane(const EdmansSinkaMaterial& m, 
   EdmansSinka<double> law = prepare(m, R);
   law.pair = make_pair(sphere(R, m.E, m.nu), rigid_plane());
   law.force_scale = std::numbers::pi * law.pair.R_e * law.pair.R_e * m.sigma_ref;
+  detail::tabulate_slopes(law);
   law.gamma_limit = 1000 / law.pair.x_per_gamma;
   return law;
 }

@@ -17,14 +17,14 @@ template <class Real = double> struct Hertz {
 
   static constexpr double x_valid = 0.01;
 
-  [[nodiscard]] PLATEN_FUNCTION Loading<Real> loading(const Real& gamma) const {
+  [[nodiscard]] PLATEN_HOT Loading<Real> loading(const Real& gamma) const {
     using std::sqrt;
     const Real a = sqrt(gamma / pair.A);
     const Real slope = Real(2) * pair.E_star * a;
-    return {gamma * slope / Real(1.5), slope, a};
+    return {gamma * slope / Real(1.5), slope, a, Real(1.5), Real(0.5)};
   }
 
-  [[nodiscard]] PLATEN_FUNCTION bool in_range(const Real& gamma) const {
+  [[nodiscard]] PLATEN_HOT bool in_range(const Real& gamma) const {
     return gamma * pair.x_per_gamma <= Real(x_valid);
   }
 
@@ -32,8 +32,8 @@ template <class Real = double> struct Hertz {
     return Real(0.4) * gamma * loading(gamma).F;
   }
 
-  [[nodiscard]] PLATEN_FUNCTION Unloading<Real> unloading(const Real&, const Loading<Real>&) const {
-    return {Real(0), Real(1.5)};
+  [[nodiscard]] PLATEN_HOT Unloading<Real> unloading(const Real&, const Loading<Real>&) const {
+    return {Real(0), Real(1.5)}; // never followed: elastic
   }
 };
 

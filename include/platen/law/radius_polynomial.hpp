@@ -9,7 +9,7 @@ namespace platen::law {
 /// a/R = sqrt(x) (D1 - D3 x + D5 x^2): the form of Shahin (2.13), for laws whose paper gives no radius.
 template <class Real = double> struct RadiusPolynomial {
   Real D1{}, D3{}, D5{};
-  [[nodiscard]] PLATEN_FUNCTION Real a_bar(const Real& x) const {
+  [[nodiscard]] PLATEN_HOT Real a_bar(const Real& x) const {
     using std::sqrt;
     return sqrt(x) * (D1 + x * (D5 * x - D3));
   }

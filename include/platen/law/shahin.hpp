@@ -33,61 +33,73 @@ struct Shahin {
   double x_cap = 0.6;            ///< from here on the tangent
   double first_log_slope = 1.25; ///< below the table: a power of x
   Loading<double> first;         ///< F_bar at the start of the table
-  LogTable plastic;
+  LoadingTable plastic;
   ClosureTable closure;
   Loading<double> cap;
   CurveHistory at_cap;
+  SlopeTable slopes; ///< from x_table to x_cap
+  double slope_at_cap = 0;
 
   static constexpr double x_table = 0x1p-24; ///< the table starts here
   static constexpr double X_end = 0.9995;    ///< how far towards the full cell (3.58) is followed
 
-  PLATEN_FUNCTION void force(double x, double& F, double& slope) const {
-    if (x < plastic.x_low) {
-      F = first.F * std::pow(x / plastic.x_low, first_log_slope);
-      slope = first_log_slope * F / x;
-    } else if (x <= plastic.x_high) {
-      plastic.at(x, F, slope);
-    } else if (x <= x_cap) {
-      closure.at(x, F, slope);
-    } else {
-      F = cap.F + cap.slope * (x - x_cap);
-      slope = cap.slope;
-    }
+  /// F_bar, dF_bar/dx and the history, all but the radius.
+  PLATEN_HOT void force(double x, Loading<double>& here) const {
+    if (x < plastic.x_low()) return outside(x, here);
+    if (x <= plastic.x_high()) return plastic.at(x, here);
+    if (x <= closure.x_high) return closure.at(x, here);
+    outside(x, here);
   }
 
-  [[nodiscard]] PLATEN_FUNCTION Loading<double> loading(double gamma) const {
+  /// Before the tables and after them.
+  PLATEN_RARE void outside(double x, Loading<double>& here) const {
+    if (x < plastic.x_low()) {
+      here.F = first.F * std::pow(x / plastic.x_low(), first_log_slope);
+      here.slope = first_log_slope * here.F / x;
+      here.steepest = first_log_slope;
+      here.least_a = 0.5;
+      return;
+    }
+    here.F = cap.F + cap.slope * (x - x_cap);
+    here.slope = cap.slope;
+    here.steepest = at_cap.steepest;
+    here.least_a = 0; // the radius is held
+  }
+
+  [[nodiscard]] PLATEN_HOT Loading<double> loading(double gamma) const {
     const double x = gamma * pair.x_per_gamma;
-    double F = 0, slope = 0;
-    force(x, F, slope);
-    return {force_scale * F, force_scale * pair.x_per_gamma * slope,
-            pair.R_e * curve.radius.a_bar(x < x_cap ? x : x_cap)};
+    Loading<double> here;
+    force(x, here);
+    here.F *= force_scale;
+    here.slope *= force_scale * pair.x_per_gamma;
+    here.a = pair.R_e * curve.radius.a_bar(x < x_cap ? x : x_cap);
+    return here;
   }
 
-  [[nodiscard]] PLATEN_FUNCTION bool in_range(double gamma) const {
-    return gamma * pair.x_per_gamma <= x_valid;
-  }
+  [[nodiscard]] PLATEN_HOT bool in_range(double gamma) const { return gamma * pair.x_per_gamma <= x_valid; }
 
-  [[nodiscard]] PLATEN_FUNCTION CurveHistory history(double x) const {
-    if (x < plastic.x_low) {
-      double F = 0, slope = 0;
-      force(x, F, slope);
-      return {F * x / (1 + first_log_slope), first_log_slope, 0.5};
+  /// Work up to x.
+  [[nodiscard]] PLATEN_FUNCTION double work_bar(double x) const {
+    if (x < plastic.x_low()) {
+      Loading<double> here;
+      outside(x, here);
+      return here.F * x / (1 + first_log_slope);
     }
-    if (x <= plastic.x_high) return plastic.history(x);
-    if (x <= x_cap) return closure.history(x);
-    CurveHistory h = at_cap;
-    h.work += (x - x_cap) * (cap.F + cap.slope * (x - x_cap) / 2);
-    h.least_a = 0; // the radius is held
-    return h;
+    if (x <= plastic.x_high()) return plastic.work(x);
+    if (x <= x_cap) return closure.work(x);
+    return at_cap.work + (x - x_cap) * (cap.F + cap.slope * (x - x_cap) / 2);
   }
 
   [[nodiscard]] PLATEN_FUNCTION double work(double gamma) const {
-    return force_scale / pair.x_per_gamma * history(gamma * pair.x_per_gamma).work;
+    return force_scale / pair.x_per_gamma * work_bar(gamma * pair.x_per_gamma);
   }
 
-  [[nodiscard]] PLATEN_FUNCTION Unloading<double> unloading(double gamma, const Loading<double>& peak) const {
-    const CurveHistory h = history(gamma * pair.x_per_gamma);
-    return unloading_from_slope(gamma, peak.F, pair.unloading_slope(peak.a), 1.5, h.steepest, h.least_a);
+  [[nodiscard]] PLATEN_HOT Unloading<double> unloading(double gamma, const Loading<double>& peak) const {
+    const double x = gamma * pair.x_per_gamma;
+    if (x < plastic.x_low())
+      return unloading_from_slope(gamma, peak, pair.unloading_slope(peak.a) * gamma, 1.5);
+    const double S_gamma = x < x_cap ? slopes.value(x) : slope_at_cap * x;
+    return unloading_from_slope(gamma, peak, S_gamma, 1.5);
   }
 };
 
@@ -133,6 +145,11 @@ inline Shahin prepare_shahin(const ShahinMaterial& m1, const Body& one, const Sh
   }
   const auto end = curve.at(law.x_cap);
   law.cap = {end.F, end.slope, end.a};
+  const auto slope = [&](double x) {
+    return law.pair.unloading_slope(law.pair.R_e * curve.radius.a_bar(x)) / law.pair.x_per_gamma * x;
+  };
+  law.slopes.make(Shahin::x_table, law.x_cap, slope);
+  law.slope_at_cap = slope(law.x_cap) / law.x_cap;
   return law;
 }
 

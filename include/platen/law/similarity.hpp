@@ -35,7 +35,7 @@ template <class Real = double> struct Similarity {
 
   static constexpr double x_valid = 0.03;
 
-  [[nodiscard]] PLATEN_FUNCTION Loading<Real> loading(const Real& gamma) const {
+  [[nodiscard]] PLATEN_HOT Loading<Real> loading(const Real& gamma) const {
     using std::pow, std::sqrt;
     Real a2 = Real(2) * c2 * gamma / pair.A;
     Real log_slope(1); // d ln a^2 / d ln gamma
@@ -46,10 +46,13 @@ template <class Real = double> struct Similarity {
     }
     const Real a = sqrt(a2);
     const Real F = force_scale * a2 * pow(a, inverse_m);
-    return {F, (Real(1) + inverse_m / Real(2)) * log_slope * F / gamma, a};
+    // The steepest log slope is the first; the radius, and with it the unloading slope, grows like
+    // gamma^(1/2), at large overlap of the corrected form like gamma^(1/4).
+    const Real n = Real(1) + inverse_m / Real(2);
+    return {F, n * log_slope * F / gamma, a, n, Real(variant == SimilarityVariant::published ? 0.5 : 0.25)};
   }
 
-  [[nodiscard]] PLATEN_FUNCTION bool in_range(const Real& gamma) const {
+  [[nodiscard]] PLATEN_HOT bool in_range(const Real& gamma) const {
     return gamma * pair.x_per_gamma <= Real(x_valid);
   }
 
@@ -60,13 +63,8 @@ template <class Real = double> struct Similarity {
     return at.F * a2 / c2 * (pair.A / (Real(4) + inverse_m) + pair.B * a2 / (Real(12) + Real(2) * inverse_m));
   }
 
-  [[nodiscard]] PLATEN_FUNCTION Unloading<Real> unloading(const Real& gamma,
-                                                          const Loading<Real>& peak) const {
-    // The steepest log slope is the first; the radius, and with it the unloading slope, grows like
-    // gamma^(1/2), at large overlap of the corrected form like gamma^(1/4).
-    const Real s(variant == SimilarityVariant::published ? 0.5 : 0.25);
-    return unloading_from_slope(gamma, peak.F, pair.unloading_slope(peak.a), Real(1.5),
-                                Real(1) + inverse_m / Real(2), s);
+  [[nodiscard]] PLATEN_HOT Unloading<Real> unloading(const Real& gamma, const Loading<Real>& peak) const {
+    return unloading_from_slope(gamma, peak, pair.unloading_slope(peak.a) * gamma, Real(1.5));
   }
 };
 

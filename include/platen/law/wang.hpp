@@ -10,8 +10,10 @@
 // Valid for E 10-30 GPa, nu 0.1-0.3, phi 20-40 deg, sigma_c 5-50 MPa, a/R < 0.02 (3.1, Table 1).
 
 #include "platen/law/contact.hpp"
+#include "platen/law/curve_table.hpp"
 #include "platen/law/drucker_prager_yield.hpp"
 #include "platen/law/pair.hpp"
+#include "platen/law/power_table.hpp"
 
 #include <tuple>
 
@@ -65,11 +67,23 @@ template <class Real = double> struct Wang {
   bool material_in_range = true;
   bool creates_energy = false;
   WangVariant variant = WangVariant::generic;
+  PowerTable powers; ///< of b, for double
+  SlopeTable slopes; ///< gamma_max S against gamma_max
+  SlopeTable radii;  ///< contact radius against gamma
 
-  [[nodiscard]] PLATEN_FUNCTION Loading<Real> loading(const Real& gamma) const {
+  [[nodiscard]] PLATEN_HOT Loading<Real> loading(const Real& gamma) const {
     using std::pow;
-    const Real F = F_y * a * pow(gamma / gamma_y, b);
-    return {F, b * F / gamma, contact_radius(gamma)};
+    const Real least = variant == WangVariant::generic ? Real(0.5) : (b - Real(1)) / n;
+    const Real omega = gamma / gamma_y;
+    if constexpr (std::same_as<Real, double>) {
+      if (powers.covers(omega)) {
+        const double F = F_y * a * powers.value(omega);
+        const bool tabled = radii.x_low < gamma && gamma < radii.x_high;
+        return {F, b * F / gamma, tabled ? radii.value(gamma) : contact_radius(gamma), b, least};
+      }
+    }
+    const Real F = F_y * a * pow(omega, b);
+    return {F, b * F / gamma, contact_radius(gamma), b, least};
   }
 
   /// The paper gives none. Ours, provisional: Hertz up to yield, then an area that grows like gamma^1.14, as
@@ -82,7 +96,7 @@ template <class Real = double> struct Wang {
     return sqrt(hertz * smaller(Real(2), pow(gamma / gamma_y, Real(0.14))));
   }
 
-  [[nodiscard]] PLATEN_FUNCTION bool in_range(const Real& gamma) const {
+  [[nodiscard]] PLATEN_HOT bool in_range(const Real& gamma) const {
     return material_in_range && !creates_energy && gamma <= gamma_valid;
   }
 
@@ -90,16 +104,26 @@ template <class Real = double> struct Wang {
     return loading(gamma).F * gamma / (Real(1) + b);
   }
 
-  [[nodiscard]] PLATEN_FUNCTION Unloading<Real> unloading(const Real& gamma,
-                                                          const Loading<Real>& peak) const {
-    using std::pow;
-    if (variant == WangVariant::generic) {
-      const Real S = pair.unloading_slope(peak.a, Real(1) - gamma_y / gamma);
-      return unloading_from_slope(gamma, peak.F, S, Real(1.5), b, Real(0.5));
+  [[nodiscard]] PLATEN_HOT Unloading<Real> unloading(const Real& gamma, const Loading<Real>& peak) const {
+    if (gamma <= gamma_y) return {Real(0), Real(1.5)}; // never followed: elastic
+    const Real alpha = variant == WangVariant::generic ? Real(1.5) : n;
+    if constexpr (std::same_as<Real, double>) {
+      if (slopes.x_low < gamma && gamma < slopes.x_high) {
+        const double S_gamma = slopes.value(gamma);
+        if (variant == WangVariant::published) return {S_gamma / (n * peak.F * gamma), n};
+        return unloading_from_slope(gamma, peak, S_gamma, alpha);
+      }
     }
-    const Real recovered = gamma_y * pow(peak.F / (m * F_y), Real(1) / n); // gamma_max - gamma_res, (18)
-    if (variant == WangVariant::published) return {gamma - recovered, n};
-    return unloading_from_slope(gamma, peak.F, n * peak.F / recovered, n, b, b / n - Real(1) / n);
+    const Real S = unloading_slope(gamma, peak);
+    if (variant == WangVariant::published) return {S / (n * peak.F), n};
+    return unloading_from_slope(gamma, peak, S * gamma, alpha);
+  }
+
+  /// Generic, or that of (17) and (18): n F_max/(gamma_max - gamma_res).
+  [[nodiscard]] PLATEN_FUNCTION Real unloading_slope(const Real& gamma, const Loading<Real>& peak) const {
+    using std::pow;
+    if (variant == WangVariant::generic) return pair.unloading_slope(peak.a, Real(1) - gamma_y / gamma);
+    return n * peak.F / (gamma_y * pow(peak.F / (m * F_y), Real(1) / n));
   }
 };
 
@@ -144,8 +168,12 @@ inline Wang<double> prepare_wang(const WangMaterial& m1, const Body& one, const 
     require("wang", "n", law.n, {1, 3});
   }
   law.gamma_elastic = law.gamma_y;
+  law.powers.make(law.b);
+  law.radii.make(law.gamma_y, 1e4 * law.gamma_y, [&](double gamma) { return law.contact_radius(gamma); });
+  law.slopes.make(law.gamma_y, 1e4 * law.gamma_y,
+                  [&](double gamma) { return law.unloading_slope(gamma, law.loading(gamma)) * gamma; });
   law.gamma_limit = 1000 / law.pair.x_per_gamma;
-  const auto inside = [](double v, double low, double high) { return v >= low && v <= high; };
+  const auto inside = [](double v, double least, double most) { return v >= least && v <= most; };
   for (const WangMaterial& m : {m1, m2})
     law.material_in_range = law.material_in_range && inside(m.E, 10e9, 30e9) && inside(m.nu, 0.1, 0.3) &&
                             inside(m.phi_deg, 20, 40) && inside(m.sigma_c, 5e6, 50e6);

@@ -138,9 +138,9 @@ TEST(Agarwal, TablesFollowTheFormulasToOneInTenThousand) {
         m.E = m.sigma_y * 107 * std::pow(50.0, std::uniform_real_distribution<double>(0, 1)(random));
         const Agarwal law = prepare(m, 1e-3);
         for (double x = law.curve.x_y * 0.5; x < law.x_cap; x *= 1.002) {
-          double F, slope;
-          law.force(x, F, slope);
-          worst = std::max(worst, std::abs(F / law.curve.F_bar(x) - 1));
+          Loading<double> here;
+          law.force(x, here);
+          worst = std::max(worst, std::abs(here.F / law.curve.F_bar(x) - 1));
         }
       }
   RecordProperty("worst", std::to_string(worst));
@@ -150,10 +150,11 @@ TEST(Agarwal, TablesFollowTheFormulasToOneInTenThousand) {
 TEST(Agarwal, TabledCurveIsContinuousAtItsOwnJoints) {
   for (LoadingCase loading : all_cases) {
     const Agarwal law = prepare(soft_metal(loading), 1e-3);
-    for (double joint : {law.curve.x_y, law.plastic.x_high, law.closure.x_high, law.x_cap}) {
+    for (double joint : {law.curve.x_y, law.plastic.x_high(), law.closure.x_high, law.x_cap}) {
       if (joint <= 0 || joint > law.x_cap) continue;
-      double F1, s1, F2, s2;
-      law.force(joint * (1 - 1e-15), F1, s1), law.force(joint * (1 + 1e-15), F2, s2);
+      Loading<double> one, two;
+      law.force(joint * (1 - 1e-15), one), law.force(joint * (1 + 1e-15), two);
+      const double F1 = one.F, s1 = one.slope, F2 = two.F, s2 = two.slope;
       EXPECT_NEAR(F1, F2, 1e-12 * F1 + 4e-15 * joint * s1)
           << joint; // the second term: x itself moves by 2e-15
       EXPECT_NEAR(s1, s2, 1e-9 * s1) << joint;
@@ -168,11 +169,11 @@ TEST(Agarwal, WorkIsTheIntegralOfTheForce) {
       double sum = 0, last = 0, steps = 20000;
       for (int i = 1; i <= steps; ++i) { // midpoint rule on a grid that grows like x^2
         const double x = 1.05 * law.x_cap * (i / steps) * (i / steps), middle = (x + last) / 2;
-        double F, slope;
-        law.force(middle, F, slope);
-        sum += F * (x - last);
+        Loading<double> here;
+        law.force(middle, here);
+        sum += here.F * (x - last);
         last = x;
-        if (i % 997 == 0) { EXPECT_NEAR(law.history(x).work, sum, 2e-6 * sum) << x << ' ' << int(loading); }
+        if (i % 997 == 0) { EXPECT_NEAR(law.work_bar(x), sum, 2e-6 * sum) << x << ' ' << int(loading); }
       }
     }
 }

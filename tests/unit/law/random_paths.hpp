@@ -45,7 +45,8 @@ template <class Law> void holds_on_path(const Law& law, const Law& swapped, cons
     RC_ASSERT(now.force >= 0.0);
     RC_ASSERT(now.stiffness >= 0.0);
     RC_ASSERT(now.contact_radius >= 0.0);
-    RC_ASSERT(now.state.gamma_0 >= 0.0);
+    if (const double top = now.state.gamma_max; top > law.gamma_elastic) // residual overlap
+      RC_ASSERT(law.unloading(top, law.loading(top)).gamma_0(top) >= -1e-15 * top);
     RC_ASSERT(same(now, evaluate(law, state, gamma), law));
     RC_ASSERT(same(now, evaluate(swapped, state, gamma), law));
     if (gamma > 0) {

@@ -50,7 +50,7 @@ TEST(Wang, ElasticLimitIsHertzInOurConvention) {
   const auto law = prepare(m, R);
   const double gamma = 0.7 * law.gamma_y, E_star = 10e9 / (2 * (1 - 0.25 * 0.25));
   const double F = 4.0 / 3 * E_star * std::sqrt(R / 2) * std::pow(gamma, 1.5);
-  EXPECT_NEAR(evaluate(law, State{}, gamma).force, F, 1e-12 * F);
+  EXPECT_NEAR(evaluate(law, State{}, gamma).force, F, 1e-11 * F); // the table of powers
   // and 2^(-3/2) in the paper's (16)-(18), where gamma is whole and delta_y is of one sphere
   EXPECT_NEAR(std::exp2(-1.5), 0.3536, 5e-5);
 }
@@ -74,7 +74,7 @@ TEST(Wang, PublishedUnloadingCreatesEnergyAndSaysSo) {
   EXPECT_FALSE(r.in_range);
   // ERRATA: 1.68 times the work put in comes back, if the curve (17) is followed to its own end
   const Unloading<double> end = law.unloading(gamma, law.loading(gamma));
-  const double back = law.loading(gamma).F * (gamma - end.gamma_0) / (1 + end.alpha);
+  const double back = law.loading(gamma).F / (end.rate * (1 + end.alpha));
   EXPECT_NEAR(back / law.work(gamma), 1.68, 0.02);
 }
 
@@ -90,7 +90,7 @@ TEST(Wang, FittedUnloadingFollowsSeventeenAndEighteen) {
   ASSERT_GT(res, 0);
   for (double f : {0.95, 0.8, 0.6}) {
     const double g = res + f * (top - res), F = law.F_y * 1.2 * std::pow((g - res) / law.gamma_y, 1.47);
-    EXPECT_NEAR(evaluate(law, s, g).force, F, 1e-11 * F);
+    EXPECT_NEAR(evaluate(law, s, g).force, F, 1e-6 * F); // the table of slopes
   }
 }
 

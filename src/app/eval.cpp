@@ -1,0 +1,108 @@
+#include "app/commands.hpp"
+#include "app/law_arguments.hpp"
+#include "core/csv.hpp"
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "core/number.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <iterator>
+#include <memory>
+
+namespace platen::app {
+namespace {
+
+struct Options {
+  LawArguments law;
+  std::string overlap, path, output;
+  bool json = false;
+};
+
+constexpr const char* branch_names[] = {"separated", "loading", "unloading", "reloading"};
+
+struct Row {
+  double overlap;
+  law::Response response;
+};
+
+std::vector<double> asked_overlaps(const Options& options) {
+  if (options.overlap.empty() == options.path.empty())
+    throw core::InvalidInput("give either --overlap FROM:TO:COUNT or --path FILE");
+  if (!options.overlap.empty()) return overlaps_of(options.overlap);
+  const auto csv = core::read_csv(options.path);
+  const auto column = csv.column("overlap_m");
+  std::vector<double> overlaps;
+  for (const auto& row : csv.rows) overlaps.push_back(csv.number(row, column));
+  return overlaps;
+}
+
+std::string csv_of(const std::vector<Row>& rows) {
+  std::string text = "overlap_m,force_N,contact_radius_m,mean_pressure_Pa,stiffness_N_per_m,branch,"
+                     "dissipated_work_J,in_range\n";
+  for (const auto& [overlap, r] : rows)
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{},{}\n", core::number_text(overlap),
+                   core::number_text(r.force), core::number_text(r.contact_radius),
+                   core::number_text(r.mean_pressure), core::number_text(r.stiffness),
+                   branch_names[static_cast<int>(r.branch)], core::number_text(r.dissipated_work),
+                   r.in_range ? "true" : "false");
+  return text;
+}
+
+std::string json_of(const fit::LawCard& card, const std::vector<Row>& rows) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const auto& [overlap, r] : rows)
+    list.push_back({{"overlap_m", overlap},
+                    {"force_N", r.force},
+                    {"contact_radius_m", r.contact_radius},
+                    {"mean_pressure_Pa", r.mean_pressure},
+                    {"stiffness_N_per_m", r.stiffness},
+                    {"branch", branch_names[static_cast<int>(r.branch)]},
+                    {"dissipated_work_J", r.dissipated_work},
+                    {"in_range", r.in_range}});
+  return nlohmann::ordered_json{{"law", card.law}, {"variant", card.variant}, {"points", list}}.dump(2) +
+         "\n";
+}
+
+void eval(const Options& options) {
+  const fit::LawCard card = card_of(options.law);
+  const law::AnyLaw law = fit::make_law(card, parameters_of(options.law));
+  const double to_delta_bar = delta_bar_per_overlap(law);
+  std::vector<Row> rows;
+  law::State state;
+  std::size_t outside = 0;
+  for (double overlap : asked_overlaps(options)) {
+    law::Response response = law::evaluate(law, state, overlap);
+    state = response.state;
+    if (card.delta_bar) // the card may hold for less than its law
+      response.in_range =
+          response.in_range && state.gamma_max * to_delta_bar <= (*card.delta_bar)[1] * (1 + 1e-12);
+    outside += !response.in_range;
+    rows.push_back({overlap, response});
+  }
+  if (outside > 0)
+    fmt::print(stderr, "platen: warning: {} of {} points are outside the validity of the law ({})\n", outside,
+               rows.size(), law::find_law(card.law).validity);
+  const std::string text = options.json ? json_of(card, rows) : csv_of(rows);
+  if (options.output.empty()) fmt::print("{}", text);
+  else core::write_file(options.output, text);
+}
+
+} // namespace
+
+void add_eval(CLI::App& program) {
+  auto* command = program.add_subcommand("eval", "force, contact radius and stiffness of a law over overlap");
+  auto options = std::make_shared<Options>();
+  add_law_arguments(*command, options->law);
+  command->add_option("--overlap", options->overlap, "FROM:TO:COUNT [m], both ends included");
+  command->add_option("--path", options->path, "CSV with the column overlap_m; the state is carried along");
+  command->add_option("-o", options->output, "file to write instead of printing");
+  command->add_flag("--json", options->json, "for a machine to read");
+  command->footer("Overlap is the approach of the two centres; with --against plane that of the centre.\n"
+                  "Example: platen eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-5:11");
+  command->callback([options] { eval(*options); });
+}
+
+} // namespace platen::app

@@ -1,0 +1,78 @@
+#include "app/law_arguments.hpp"
+
+#include "core/catalogue.hpp"
+#include "core/error.hpp"
+#include "core/number.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace platen::app {
+
+using core::InvalidInput;
+
+void add_law_arguments(CLI::App& command, LawArguments& arguments) {
+  command.add_option("LAW", arguments.law, "law card, its name in the catalogue, or the name of a law")
+      ->required();
+  command.add_option("-p", arguments.parameters, "parameter, key=value; `platen laws NAME` lists them");
+  command.add_option("--variant", arguments.variant, "variant of the law");
+  command.add_option("--against", arguments.against, "sphere (default), or plane: a rigid one");
+}
+
+fit::LawCard card_of(const LawArguments& arguments) {
+  fit::LawCard card;
+  const bool bare = std::ranges::any_of(law::laws(), [&](const auto& l) { return l.name == arguments.law; });
+  if (bare) card.law = arguments.law;
+  else if (std::filesystem::exists(arguments.law) || arguments.law.ends_with(".toml") ||
+           std::ranges::count(core::card_names("laws"), arguments.law))
+    card = fit::read_law_card(arguments.law);
+  else {
+    std::string known;
+    for (const auto& l : law::laws()) known += fmt::format("{}{}", known.empty() ? "" : ", ", l.name);
+    for (const auto& name : core::card_names("laws")) known += ", " + name;
+    throw InvalidInput(fmt::format("there is no law or law card '{}'; known are: {}", arguments.law, known));
+  }
+  if (!arguments.variant.empty()) card.variant = arguments.variant;
+  return card;
+}
+
+law::ParameterTexts parameters_of(const LawArguments& arguments) {
+  law::ParameterTexts texts;
+  for (const auto& p : arguments.parameters) {
+    const auto equals = p.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw InvalidInput(fmt::format("-p {} is not of the form key=value", p));
+    texts[p.substr(0, equals)] = p.substr(equals + 1);
+  }
+  if (arguments.against != "sphere" && arguments.against != "plane")
+    throw InvalidInput(fmt::format("--against {} is neither sphere nor plane", arguments.against));
+  if (arguments.against == "plane") texts["against"] = "plane";
+  return texts;
+}
+
+std::vector<double> overlaps_of(const std::string& range) {
+  const auto parts = law::detail::split(range, ':');
+  const auto number = [&](std::size_t i) {
+    const auto value = core::number_from(parts[i]);
+    if (!value) throw InvalidInput(fmt::format("--overlap {}: '{}' is not a number", range, parts[i]));
+    return *value;
+  };
+  if (parts.size() != 3)
+    throw InvalidInput(fmt::format("--overlap {} is not of the form FROM:TO:COUNT", range));
+  const double from = number(0), to = number(1), count = number(2);
+  if (count < 2 || count > 1e7 || count != static_cast<int>(count))
+    throw InvalidInput(fmt::format("--overlap {}: the count must be a whole number from 2 to 1e7", range));
+  std::vector<double> overlaps;
+  const int n = static_cast<int>(count);
+  for (int i = 0; i < n; ++i) overlaps.push_back(i == n - 1 ? to : from + (to - from) * i / (n - 1));
+  return overlaps;
+}
+
+double delta_bar_per_overlap(const law::AnyLaw& law) {
+  return std::visit([](const auto& l) { return l.pair.x_per_gamma; }, law);
+}
+
+} // namespace platen::app

@@ -1,0 +1,36 @@
+#pragma once
+// How the command line names a law: a card or a bare name, parameters, what it touches, and overlaps. What
+// `eval`, `laws` and `export` share.
+
+#include "fit/law_card.hpp"
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace platen::app {
+
+struct LawArguments {
+  std::string law; ///< card path, card name or law name
+  std::string variant;
+  std::vector<std::string> parameters; ///< key=value
+  std::string against = "sphere";
+};
+
+void add_law_arguments(CLI::App&, LawArguments&);
+
+/// The card that is meant; a bare law name is an empty card of that law. InvalidInput lists what there is.
+fit::LawCard card_of(const LawArguments&);
+/// The card's parameters with those of the command line over them.
+law::ParameterTexts parameters_of(const LawArguments&);
+
+/// "A:B:N": N overlaps from A to B, both included.
+std::vector<double> overlaps_of(const std::string& range);
+
+/// delta/R of an overlap under this law; twice the fraction of the radius that each of two spheres gives way.
+double delta_bar_per_overlap(const law::AnyLaw&);
+
+} // namespace platen::app

@@ -1,0 +1,170 @@
+#include "fit/law_card.hpp"
+
+#include "core/catalogue.hpp"
+#include "core/error.hpp"
+#include "core/fields.hpp"
+#include "core/nearest.hpp"
+#include "core/number.hpp"
+#include "core/toml.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace platen::fit {
+namespace {
+
+using core::InvalidInput;
+using core::Table;
+using core::Value;
+
+std::optional<double> number_of(const Value& value) {
+  if (const auto* d = std::get_if<double>(&value.data)) return *d;
+  if (const auto* i = std::get_if<std::int64_t>(&value.data)) return static_cast<double>(*i);
+  return {};
+}
+
+double number_at(const Table& table, const core::Entry& entry) {
+  if (const auto number = number_of(entry.value)) return *number;
+  throw InvalidInput(fmt::format("{} = {} is {}, not a number", core::place(table, entry.key),
+                                 core::text_of(entry.value), core::kind_of(entry.value)));
+}
+
+std::vector<double> numbers_at(const Table& table, const core::Entry& entry) {
+  std::vector<double> numbers;
+  if (const auto* list = std::get_if<std::vector<Value>>(&entry.value.data))
+    for (const Value& item : *list) {
+      const auto number = number_of(item);
+      if (!number)
+        throw InvalidInput(fmt::format("{} is not a list of numbers", core::place(table, entry.key)));
+      numbers.push_back(*number);
+    }
+  else numbers.push_back(number_at(table, entry));
+  return numbers;
+}
+
+std::string text_at(const Table& table, std::string_view key, bool needed) {
+  const Value* value = table.find(key);
+  if (!value && !needed) return {};
+  if (value)
+    if (const auto* text = std::get_if<std::string>(&value->data)) return *text;
+  throw InvalidInput(fmt::format("{} {}", core::place(table, key), value ? "is not a text" : "is missing"));
+}
+
+std::vector<std::string> keys_of(const law::LawInfo& info) {
+  std::vector<std::string> keys;
+  for (const auto& p : info.parameters) keys.emplace_back(p.key);
+  for (const auto& w : info.words) keys.emplace_back(w.key);
+  return keys;
+}
+
+/// The list or the word or the number of a card as the text that `-p` would give.
+std::string parameter_text(const Table& table, const core::Entry& entry) {
+  if (const auto* word = std::get_if<std::string>(&entry.value.data)) return *word;
+  std::string text;
+  for (double number : numbers_at(table, entry))
+    text += (text.empty() ? "" : ",") + core::number_text(number);
+  return text;
+}
+
+const law::LawInfo& info_of(const Table& card, const std::string& name) {
+  std::vector<std::string> known;
+  for (const auto& info : law::laws()) known.emplace_back(info.name);
+  if (std::ranges::find(known, name) == known.end())
+    throw InvalidInput(fmt::format("{} = \"{}\": there is no such law{}", core::place(card, "law"), name,
+                                   core::suggestion(name, known)));
+  return law::find_law(name);
+}
+
+void check_range(const Table& section, const law::LawInfo& info, const core::Entry& entry) {
+  for (const auto& p : info.parameters)
+    if (p.key == entry.key)
+      if (const double value = number_at(section, entry); !p.range.contains(value))
+        throw InvalidInput(fmt::format("{} = {} is not in {}", core::place(section, entry.key),
+                                       core::number_text(value), law::text(p.range)));
+}
+
+bool is_number(const std::string& text) { return core::number_from(text).has_value(); }
+
+} // namespace
+
+LawCard read_law_card(const std::string& what) {
+  const Table table = core::read_toml(core::find_card("laws", what));
+  static const std::vector<std::string> known = {"platen",   "law",   "variant",   "parameters",
+                                                 "validity", "error", "provenance"};
+  core::refuse_unknown_keys(table, known);
+  LawCard card;
+  card.file = table.file;
+  card.law = text_at(table, "law", true);
+  const law::LawInfo& info = info_of(table, card.law);
+  card.variant = text_at(table, "variant", false);
+  const auto variants = law::detail::split(info.variants, '|');
+  if (!card.variant.empty() && std::ranges::find(variants, card.variant) == variants.end())
+    throw InvalidInput(fmt::format("{} = \"{}\" is no variant of {}{}", core::place(table, "variant"),
+                                   card.variant, card.law, core::suggestion(card.variant, variants)));
+  if (const Table* parameters = core::section(table, "parameters")) {
+    core::refuse_unknown_keys(*parameters, keys_of(info));
+    for (const auto& entry : parameters->entries) {
+      check_range(*parameters, info, entry);
+      card.parameters[entry.key] = parameter_text(*parameters, entry);
+    }
+  }
+  if (const Table* validity = core::section(table, "validity"))
+    for (const auto& entry : validity->entries)
+      if (entry.key == "delta_bar") {
+        const auto ends = numbers_at(*validity, entry);
+        if (ends.size() != 2 || !(ends[0] < ends[1]))
+          throw InvalidInput(
+              fmt::format("{} must be two growing numbers", core::place(*validity, entry.key)));
+        card.delta_bar = {ends[0], ends[1]};
+      }
+  if (const Table* errors = core::section(table, "error"))
+    for (const auto& entry : errors->entries) card.errors[entry.key] = number_at(*errors, entry);
+  if (const Table* provenance = core::section(table, "provenance"))
+    for (const auto& entry : provenance->entries) {
+      const auto* text = std::get_if<std::string>(&entry.value.data);
+      card.provenance[entry.key] = text ? *text : core::text_of(entry.value);
+    }
+  return card;
+}
+
+std::string text_of(const LawCard& card) {
+  const law::LawInfo& info = law::find_law(card.law);
+  std::string text = fmt::format("platen = 1\nlaw = {}\n", core::in_quotes(card.law));
+  if (!card.variant.empty()) text += fmt::format("variant = {}\n", core::in_quotes(card.variant));
+  text += "\n[parameters]\n";
+  for (const auto& key : keys_of(info)) { // in the order of the law, not of the alphabet
+    const auto found = card.parameters.find(key);
+    if (found == card.parameters.end()) continue;
+    const auto parts = law::detail::split(found->second, ',');
+    const bool list =
+        std::ranges::any_of(info.words, [&](const auto& w) { return w.key == key && w.values.empty(); });
+    if (list) text += fmt::format("{} = [{}]\n", key, fmt::join(parts, ", "));
+    else
+      text +=
+          fmt::format("{} = {}\n", key,
+                      is_number(found->second) || found->second == "inf" ? found->second
+                                                                         : core::in_quotes(found->second));
+  }
+  if (card.delta_bar)
+    text += fmt::format("\n[validity]\ndelta_bar = [{}, {}]\n", core::number_text((*card.delta_bar)[0]),
+                        core::number_text((*card.delta_bar)[1]));
+  if (!card.errors.empty()) text += "\n[error]\n";
+  for (const auto& [key, value] : card.errors) text += core::card_line(key, value);
+  if (!card.provenance.empty()) text += "\n[provenance]\n";
+  for (const auto& [key, value] : card.provenance)
+    text += fmt::format("{} = {}\n", key, is_number(value) ? value : core::in_quotes(value));
+  return text;
+}
+
+law::AnyLaw make_law(const LawCard& card, const law::ParameterTexts& more) {
+  law::ParameterTexts parameters = card.parameters;
+  for (const auto& [key, value] : more) parameters[key] = value;
+  try {
+    return law::make_law(card.law, card.variant, parameters);
+  } catch (const law::BadParameter& error) {
+    throw InvalidInput(card.file.empty() ? error.what() : fmt::format("{}: {}", card.file, error.what()));
+  }
+}
+
+} // namespace platen::fit

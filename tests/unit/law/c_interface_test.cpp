@@ -1,0 +1,83 @@
+#include "platen_law.h"
+
+#include "platen/law/catalogue.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace {
+
+using namespace platen::law;
+
+const std::array<std::pair<const char*, const char*>, 6> examples = {{
+    {"hertz", "radius_m=1e-3 E_Pa=1e9 nu=0.3"},
+    {"similarity", "radius_m=1e-3 E_Pa=1e9 nu=0.3 kappa_Pa=1e6 inverse_m=0.3"},
+    {"edmans-sinka", "radius_m=1e-3 sigma_ref_Pa=8.61e6 E_Pa=4.417e8 nu=0.1472 k=4.2 delta_t=0.09 a=3.5"},
+    {"wang", "radius_m=0.1 E_Pa=1e10 nu=0.15 phi_deg=25 sigma_c_Pa=15e6"},
+    {"agarwal", "radius_m=1e-3 E_Pa=5e8 nu=0.3 sigma_y_Pa=1e6 loading=die"},
+    {"shahin", "radius_m=1e-3 E_Pa=1e9 nu=0.3 kappa_Pa=1e6 inverse_m=0.3 loading=hydrostatic"},
+}};
+
+TEST(CInterface, GivesWhatTheHeadersGive) {
+  for (const auto& [name, parameters] : examples) {
+    char why[200] = "";
+    platen_law* law = platen_law_new(name, "", parameters, why, sizeof why);
+    ASSERT_NE(law, nullptr) << why;
+    const AnyLaw same = make_law(name, "", parameter_texts(parameters));
+    platen_law_state c{0, 0};
+    State s;
+    for (double x : {1e-7, 1e-4, 2e-4, 1.9e-4, 1e-5, 1.99e-4, 3e-4}) {
+      const platen_law_response got = platen_law_evaluate(law, &c, x);
+      const Response want = evaluate(same, s, x);
+      EXPECT_EQ(got.force_N, want.force) << name;
+      EXPECT_EQ(got.dissipated_work_J, want.dissipated_work);
+      EXPECT_EQ(got.branch, static_cast<int>(want.branch));
+      s = want.state;
+    }
+    double overlap[2] = {1e-4, 2e-4}, force[2];
+    platen_law_state states[2] = {{0, 0}, {0, 0}};
+    platen_law_evaluate_all(law, 2, overlap, states, force, nullptr);
+    EXPECT_EQ(force[1], evaluate(same, State{}, 2e-4).force);
+    platen_law_free(law);
+  }
+}
+
+TEST(CInterface, SaysWhatIsWrong) {
+  char why[200] = "";
+  EXPECT_EQ(platen_law_new("hertzz", "", "", why, sizeof why), nullptr);
+  EXPECT_STREQ(why,
+               "there is no law 'hertzz'; known are: hertz, similarity, edmans-sinka, wang, agarwal, shahin");
+  EXPECT_EQ(platen_law_new("hertz", "", "radius_m=1e-3 E_Pa=1e9 nu=0.5", why, sizeof why), nullptr);
+  EXPECT_STREQ(why, "hertz: nu = 0.5 is not in [0, 0.5)");
+  EXPECT_EQ(platen_law_new("hertz", "", "radius_m=1e-3 E_MPa=1", why, sizeof why), nullptr);
+  EXPECT_NE(std::string(why).find("there is no parameter 'E_MPa'"), std::string::npos);
+  EXPECT_EQ(platen_law_new("agarwal", "publshed", "", why, sizeof why), nullptr);
+  EXPECT_STREQ(why, "agarwal: there is no variant 'publshed'; known are: hertz-radius, published");
+  EXPECT_EQ(platen_law_new("hertz", nullptr, nullptr, nullptr, 0), nullptr); // and does not crash
+  char tiny[4];
+  EXPECT_EQ(platen_law_new("x", "", "", tiny, sizeof tiny), nullptr);
+  EXPECT_STREQ(tiny, "the");
+}
+
+TEST(Catalogue, EveryLawIsMadeInEveryVariantAndAgainstAPlane) {
+  for (const auto& [name, parameters] : examples) {
+    auto texts = parameter_texts(parameters);
+    if (std::string_view(name) == "wang")
+      texts["a"] = "1.05", texts["b"] = "1.45", texts["m"] = "1.2", texts["n"] = "1.48";
+    for (const auto& variant : detail::split(find_law(name).variants, '|')) {
+      texts.erase("against");
+      const AnyLaw two = make_law(name, variant, texts);
+      texts["against"] = "plane";
+      const AnyLaw wall = make_law(name, variant, texts);
+      const double delta = std::visit([](const auto& l) { return 0.01 / l.pair.x_per_gamma; }, wall);
+      const double F = evaluate(wall, State{}, delta).force;
+      EXPECT_GT(F, 0);
+      EXPECT_NEAR(evaluate(two, State{}, 2 * delta).force, F, 1e-9 * F)
+          << name << ' ' << variant; // the mirror
+    }
+  }
+}
+
+} // namespace
