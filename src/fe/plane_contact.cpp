@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace platen::fe {
 namespace {
@@ -187,6 +188,15 @@ StepReport PlaneContact::solve(double height_, std::vector<double> x) {
   report.converged = true;
   u = std::move(x);
   return report;
+}
+
+void PlaneContact::follow(double rise, std::vector<double>& guess) const {
+  std::vector<char> moved(solid.mesh.nodes.size(), 0);
+  for (int e = 0; e < static_cast<int>(edges.size()); ++e)
+    for (const EdgePoint& point : edges[e])
+      if (height_above_plane(point, e, u) < 0)
+        for (int k = 0; k < 2; ++k)
+          if (const int node = solid.mesh.surface[e + k]; !std::exchange(moved[node], 1)) guess[2 * node + 1] += rise;
 }
 
 Contact PlaneContact::contact() const {

@@ -57,7 +57,10 @@ struct Return {
   std::array<std::array<double, 3>, 3> J;
   SurfacePoint at;
   Moduli moduli;
-  double s, phi, eps_v, eps_q, exp_v; ///< exp_v = e^{-eps_v}
+  Zone zone;
+  double s, s_min, s_max; ///< of the surface at phi
+  double phi, eps_v, eps_q;
+  double exp_v; ///< e^{-eps_v}
 
   double merit() const { return r[0] * r[0] + r[1] * r[1] + r[2] * r[2]; }
 };
@@ -74,7 +77,11 @@ Return evaluate_return(const M& model, TrialInvariants trial, double phi_n, doub
   e.eps_q = trial.eps_q - dw;
   e.exp_v = std::exp(-e.eps_v);
   e.moduli = model.moduli(e.phi);
-  e.at = model.surface(e.phi).at(s);
+  const auto surface = model.surface(e.phi);
+  e.at = surface.at(s);
+  e.zone = surface.zone(s);
+  e.s_min = surface.s_min();
+  e.s_max = surface.s_max();
   const auto& [K, G, K_phi, G_phi] = e.moduli;
   const SurfacePoint& f = e.at;
   const double unit = 1 / stress_unit;
@@ -218,9 +225,8 @@ template <PlasticModel M>
       };
       // The curve goes on, mirrored, behind its ends on the axis q = 0: pass an end by no more than its
       // distance.
-      const auto f = model.surface(e.phi);
-      if (x[0] + dx[0] < f.s_min()) fraction = std::min(fraction, 2 * (f.s_min() - x[0]) / dx[0]);
-      if (x[0] + dx[0] > f.s_max()) fraction = std::min(fraction, 2 * (f.s_max() - x[0]) / dx[0]);
+      if (x[0] + dx[0] < e.s_min) fraction = std::min(fraction, 2 * (e.s_min - x[0]) / dx[0]);
+      if (x[0] + dx[0] > e.s_max) fraction = std::min(fraction, 2 * (e.s_max - x[0]) / dx[0]);
       if (!(fraction > 0)) return false;
       const double start = merit;
       for (int cut = 0;; ++cut, fraction /= 2) {
@@ -236,11 +242,12 @@ template <PlasticModel M>
   detail::Return e;
   const auto solved_from = [&](const std::array<double, 3>& x) {
     if (!newton(x, e)) return false;
-    // A root is admissible if it lies on the curve proper and the plastic strain points outward.
-    const auto f = model.surface(e.phi);
-    const double end = 1e-9 * (f.s_max() - f.s_min());
+    // A root is admissible if it lies on the curve proper and the plastic strain points outward; a trial that is
+    // outside by rounding alone does not flow.
+    const double rounding = relative_return_tolerance * strain_unit;
+    const double end = 1e-9 * (e.s_max - e.s_min);
     const double dv = trial.eps_v - e.eps_v, dw = trial.eps_q - e.eps_q;
-    return e.s > f.s_min() - end && e.s < f.s_max() + end && e.at.n_p * dv + e.at.n_q * dw > 0;
+    return e.s > e.s_min - end && e.s < e.s_max + end && e.at.n_p * dv + e.at.n_q * dw > -rounding;
   };
   const auto guess = [&] {
     const double s = surface_n.first_guess(u.p, u.q);
@@ -261,7 +268,6 @@ template <PlasticModel M>
   u.eps_v = e.eps_v;
   u.eps_q = e.eps_q;
   u.phi = e.phi;
-  const auto surface = model.surface(e.phi);
 
   // d(s, dv, dw) = -J^-1 dr, then the stress along the surface.
   const detail::Inverse3 inverse(e.J);
@@ -277,8 +283,7 @@ template <PlasticModel M>
   u.q_v = along(by_v, e.at.q_s, e.at.q_phi);
   u.p_q = along(by_q, e.at.p_s, e.at.p_phi);
   u.q_q = along(by_q, e.at.q_s, e.at.q_phi);
-  // s was solved for; which piece of the curve it lies on names the flow.
-  u.zone = surface.zone(e.s);
+  u.zone = e.zone;
   return u;
 }
 

@@ -42,6 +42,7 @@ fe::StepReport SphereRun::advance(double delta_bar) {
   std::vector<double> guess = now.u;
   if (ratio > 0)
     for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += ratio * now.change[i];
+  else contact.follow(-step, guess);
   fe::StepReport report = contact.solve(1 - delta_bar, std::move(guess));
   count(report);
   if (!report.converged) return report;
