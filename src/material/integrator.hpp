@@ -225,8 +225,8 @@ template <PlasticModel M>
       };
       // The curve goes on, mirrored, behind its ends on the axis q = 0: pass an end by no more than its
       // distance.
-      if (x[0] + dx[0] < e.s_min) fraction = std::min(fraction, 2 * (e.s_min - x[0]) / dx[0]);
-      if (x[0] + dx[0] > e.s_max) fraction = std::min(fraction, 2 * (e.s_max - x[0]) / dx[0]);
+      if (x[0] + dx[0] < e.s_min) fraction = std::min(fraction, 1.1 * (e.s_min - x[0]) / dx[0]);
+      if (x[0] + dx[0] > e.s_max) fraction = std::min(fraction, 1.1 * (e.s_max - x[0]) / dx[0]);
       if (!(fraction > 0)) return false;
       const double start = merit;
       for (int cut = 0;; ++cut, fraction /= 2) {
