@@ -1,13 +1,13 @@
 #pragma once
-  // Compressible plastic particles: a linear, then exponential law fitted to finite-element curves.
-  // Edmans & Sinka, "Numerical derivation of a normal contact law for compressible plastic particles":
-  // loading (6), unloading (9)-(14). Which material gives which parameters: edmans_sinka_appendix.hpp.
-  //
-  //   F_bar = k x                          x <= delta_t           x = delta/R, F_bar = F/(pi R^2 sigma_ref)
-  //   F_bar = k delta_t exp(a (x-delta_t))  x >  delta_t                                               (6)
-  //
-  // Valid for x <= 0.5. The paper gives no contact radius: ours is of the form of Shahin's (2.13), fitted to
-  // finite elements (von Mises, E/sigma_y = 100), see docs/laws/edmans-sinka.md.
+// Compressible plastic particles: a linear, then exponential law fitted to finite-element curves.
+// Edmans & Sinka, "Numerical derivation of a normal contact law for compressible plastic particles":
+// loading (6), unloading (9)-(14). Which material gives which parameters: edmans_sinka_appendix.hpp.
+//
+//   F_bar = k x                          x <= delta_t           x = delta/R, F_bar = F/(pi R^2 sigma_ref)
+//   F_bar = k delta_t exp(a (x-delta_t))  x >  delta_t                                               (6)
+//
+// Valid for x <= 0.5. The paper gives no contact radius: ours is of the form of Shahin's (2.13), fitted to
+// finite elements (von Mises, E/sigma_y = 100), see docs/laws/edmans-sinka.md.
 
 #include "platen/law/contact.hpp"
 #include "platen/law/curve_table.hpp"
