@@ -192,6 +192,7 @@ StepReport PlaneContact::solve(double height_, std::vector<double> x) {
 Contact PlaneContact::contact() const {
   const auto& surface = solid.mesh.surface;
   Contact c;
+  double inner_pressure = 0, inner_middle = 0; // of the edge before
   for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
     double force = 0;
     const EdgePoint* outer = nullptr;
@@ -204,18 +205,19 @@ Contact PlaneContact::contact() const {
       }
     if (!outer) continue;
     c.force += force;
-    // The radius is where the penetration falls to zero, between the last touching point and the next.
-    const bool last_of_edge = outer == &edges[e].back();
-    const int next_edge = e + (last_of_edge ? 1 : 0);
-    c.radius = radius(*outer, e);
-    if (next_edge < static_cast<int>(edges.size())) {
-      const EdgePoint& next = last_of_edge ? edges[next_edge].front() : *(outer + 1);
-      const double depth = -height_above_plane(*outer, e, u), gap = height_above_plane(next, next_edge, u);
-      if (gap > 0) c.radius += (radius(next, next_edge) - c.radius) * depth / (depth + gap);
-    }
     const auto r = [&](int node) { return solid.mesh.nodes[node][0] + u[2 * node]; };
     const double r_a = r(surface[e]), r_b = r(surface[e + 1]);
-    c.peak_pressure = std::max(c.peak_pressure, force / (std::numbers::pi * (r_b * r_b - r_a * r_a)));
+    const double pressure = force / (std::numbers::pi * (r_b * r_b - r_a * r_a));
+    // Under the outermost edges the pressure falls as sqrt(a^2 - r^2): extrapolate p^2 over r^2 from their
+    // middles, but not beyond the middle of the first free edge.
+    const double middle = (r_a * r_a + r_b * r_b) / 2,
+                 fall = inner_pressure * inner_pressure - pressure * pressure;
+    double square = fall > 0 ? middle + pressure * pressure * (middle - inner_middle) / fall : 1e300;
+    square = std::clamp(square, std::pow(radius(*outer, e), 2), std::pow(1.5 * r_b - 0.5 * r_a, 2));
+    c.radius = std::sqrt(square);
+    inner_pressure = pressure;
+    inner_middle = middle;
+    c.peak_pressure = std::max(c.peak_pressure, pressure);
   }
   return c;
 }

@@ -216,10 +216,11 @@ template <PlasticModel M>
         return std::array<double, 3>{x[0] + fraction * dx[0], x[1] + fraction * dx[1],
                                      x[2] + fraction * dx[2]};
       };
-      // Stay on the curve: go at most nine tenths of the way to its ends.
+      // The curve goes on, mirrored, behind its ends on the axis q = 0: pass an end by no more than its
+      // distance.
       const auto f = model.surface(e.phi);
-      if (x[0] + dx[0] < f.s_min()) fraction = 0.9 * (f.s_min() - x[0]) / dx[0];
-      if (x[0] + dx[0] > f.s_max()) fraction = 0.9 * (f.s_max() - x[0]) / dx[0];
+      if (x[0] + dx[0] < f.s_min()) fraction = std::min(fraction, 2 * (f.s_min() - x[0]) / dx[0]);
+      if (x[0] + dx[0] > f.s_max()) fraction = std::min(fraction, 2 * (f.s_max() - x[0]) / dx[0]);
       if (!(fraction > 0)) return false;
       const double start = merit;
       for (int cut = 0;; ++cut, fraction /= 2) {
@@ -232,20 +233,14 @@ template <PlasticModel M>
     }
     return merit <= 1e4 * tolerance;
   };
-  // A root is admissible if the plastic strain points outward.
-  const auto outward = [](const detail::Return& e, double dv, double dw) {
-    return e.at.n_p * dv + e.at.n_q * dw > 0;
-  };
-  const auto increments = [&](const detail::Return& e) {
-    return std::array{trial.eps_v - e.eps_v, trial.eps_q - e.eps_q};
-  };
-
   detail::Return e;
   const auto solved_from = [&](const std::array<double, 3>& x) {
     if (!newton(x, e)) return false;
-    // A root is admissible if the plastic strain points outward.
+    // A root is admissible if it lies on the curve proper and the plastic strain points outward.
+    const auto f = model.surface(e.phi);
+    const double end = 1e-9 * (f.s_max() - f.s_min());
     const double dv = trial.eps_v - e.eps_v, dw = trial.eps_q - e.eps_q;
-    return e.at.n_p * dv + e.at.n_q * dw > 0 && e.eps_q >= 0;
+    return e.s > f.s_min() - end && e.s < f.s_max() + end && e.at.n_p * dv + e.at.n_q * dw > 0;
   };
   const auto guess = [&] {
     const double s = surface_n.first_guess(u.p, u.q);

@@ -1,0 +1,133 @@
+// The implicit update of every model: on the surface, consistent, dissipative, objective in its invariants.
+
+#include "random_states.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace platen::material;
+using namespace platen::material::testing;
+
+namespace {
+
+/// (p, q) over the yield surface: 1 on it.
+double yield_ratio(const Vmdc::Surface& f, double p, double q) {
+  const double excess = p > 0 ? p / f.Lambda : p < -f.pi_3 ? (p + f.pi_3) / f.b : 0;
+  return std::hypot(excess, q / f.Gamma);
+}
+
+} // namespace
+
+TEST(Update, ZeroStrainGivesZeroStress) {
+  for (const Model& model :
+       {Model(Elastic{100, 0.3}), Model(VonMises{100, 0.3, 1}), Model(corner_materials()[4])}) {
+    const PointUpdate u = update_one(model, {0, 0, 0}, 0);
+    EXPECT_EQ(u.status, Status::elastic);
+    for (const double s : u.sigma) EXPECT_EQ(s, 0);
+  }
+}
+
+TEST(Update, SmallStrainIsHookesLaw) {
+  const double E = 200, nu = 0.25, e = 1e-7;
+  const PointUpdate u = update_one(Elastic{E, nu}, {e, 0, 0}, 0);
+  EXPECT_NEAR(u.sigma[0], E * (1 - nu) / ((1 + nu) * (1 - 2 * nu)) * e, 1e-5 * E * e);
+  EXPECT_NEAR(u.sigma[1], E * nu / ((1 + nu) * (1 - 2 * nu)) * e, 1e-5 * E * e);
+}
+
+TEST(Update, PlasticStressLiesOnTheSurface) {
+  std::mt19937 generator(7);
+  for (const Vmdc& m : corner_materials())
+    for (int i = 0; i < 3000; ++i) {
+      const Trial t = random_trial(m, generator, 0.2);
+      const PointUpdate u = update_one(m, t.eps, t.phi);
+      ASSERT_NE(u.status, Status::refused);
+      ASSERT_TRUE(std::isfinite(u.p) && std::isfinite(u.q) && std::isfinite(u.phi));
+      if (u.zone == Zone::elastic) continue;
+      EXPECT_NEAR(yield_ratio(m.surface(u.phi), u.p, u.q), 1, 1e-8) << "E_bar " << m.E << " sample " << i;
+      EXPECT_GE(u.p * u.dv + u.q * u.dw, 0) << "plastic power";
+    }
+}
+
+TEST(Update, DensityFollowsThePlasticVolume) {
+  std::mt19937 generator(8);
+  const Vmdc m = corner_materials()[4];
+  for (int i = 0; i < 1000; ++i) {
+    const Trial t = random_trial(m, generator, 0.1);
+    const PointUpdate u = update_one(m, t.eps, t.phi);
+    EXPECT_NEAR(u.phi, t.phi - u.dv, 1e-12);
+  }
+}
+
+TEST(Update, TangentMatchesCentralDifferences) {
+  std::mt19937 generator(9);
+  const double h = 1e-6;
+  long compared = 0;
+  const auto check = [&](const Model& model, const Trial& t, double curvature) {
+    const PointUpdate u = update_one(model, t.eps, t.phi);
+    double scale = 0, error = 0;
+    bool smooth = u.status != Status::refused;
+    for (int B = 0; B < 3; ++B) {
+      // Fourth order, so that the difference quotient is not the limit of the comparison.
+      std::array<PointUpdate, 4> at;
+      const double steps[4] = {-2 * h, -h, h, 2 * h};
+      for (int k = 0; k < 4; ++k) {
+        auto eps = t.eps;
+        eps[B] += steps[k];
+        at[k] = update_one(model, eps, t.phi);
+        smooth = smooth && at[k].zone == u.zone;
+      }
+      for (int A = 0; A < 3; ++A) {
+        const double slope =
+            (at[0].sigma[A] - 8 * at[1].sigma[A] + 8 * at[2].sigma[A] - at[3].sigma[A]) / (12 * h);
+        error = std::max(error, std::abs(slope - u.D[A][B]));
+        scale = std::max(scale, std::abs(u.D[A][B]));
+      }
+    }
+    // Where the increment is not large against h, the difference quotient itself is inexact.
+    if (!smooth || invariants(t.eps).eps_q < 300 * h || curvature < 3000 * h) return;
+    ++compared;
+    EXPECT_LT(error, 1e-6 * scale);
+  };
+  for (const Vmdc& m : corner_materials())
+    for (int i = 0; i < 400; ++i) {
+      const Trial t = random_trial(m, generator, 0.1);
+      // The tensile cap is Lambda/K wide in strain.
+      check(m, t, m.surface(t.phi).Lambda / m.moduli(t.phi).K);
+    }
+  const VonMises metal{100, 0.3, 1};
+  for (int i = 0; i < 400; ++i) {
+    Trial t = random_trial(corner_materials()[4], generator, 0.1);
+    t.phi = 0;
+    check(metal, t, 1);
+  }
+  EXPECT_GT(compared, 1500);
+}
+
+TEST(Update, VonMisesTangentIsSymmetricUpToTheElasticVolumeChange) {
+  // Yield is in Cauchy stress, elasticity in J_e times it: the asymmetry is of the order p/K.
+  std::mt19937 generator(10);
+  for (int i = 0; i < 500; ++i) {
+    Trial t = random_trial(corner_materials()[8], generator, 0.01);
+    const PointUpdate u = update_one(VonMises{1e5, 0.3, 1}, t.eps, 0);
+    double scale = 0, skew = 0;
+    for (int A = 0; A < 3; ++A)
+      for (int B = 0; B < 3; ++B) {
+        scale = std::max(scale, std::abs(u.D[A][B]));
+        skew = std::max(skew, std::abs(u.D[A][B] - u.D[B][A]));
+      }
+    EXPECT_LT(skew, 5 * std::abs(u.p) / 1e5 * scale + 1e-5 * scale);
+  }
+}
+
+TEST(Update, RefusesNothingInsideTheParameterSpace) {
+  // Increments up to 20 %: none may fail, none may be NaN.
+  std::mt19937 generator(11);
+  long refused = 0;
+  for (const Vmdc& m : corner_materials())
+    for (int i = 0; i < 5000; ++i) {
+      const Trial t = random_trial(m, generator, 0.2);
+      const PointUpdate u = update_one(m, t.eps, t.phi);
+      if (u.status == Status::refused) ++refused;
+      else ASSERT_FALSE(std::isnan(u.sigma[0] + u.D[0][0] + u.phi));
+    }
+  EXPECT_EQ(refused, 0);
+}
