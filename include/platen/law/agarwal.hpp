@@ -38,7 +38,8 @@ struct Agarwal {
   ClosureTable closure;
   Loading<double> cap; ///< F_bar, dF_bar/dx and a_bar at x_cap
   CurveHistory at_cap;
-  SlopeTable slopes; ///< from x_y to x_cap
+  SlopeTable slopes;      ///< from x_y to x_cap
+  LogTable<3, 216> radii; ///< a_bar, from x_y to x_cap: 1e-5 of (2.13)
   double slope_at_cap = 0;
 
   /// F_bar, dF_bar/dx and the history, all but the radius.
@@ -68,9 +69,18 @@ struct Agarwal {
   [[nodiscard]] PLATEN_HOT Loading<double> loading(double gamma) const {
     const double x = gamma * pair.x_per_gamma;
     Loading<double> here;
-    force(x, here);
-    double a_log_slope = 0;
-    curve.contact_radius(x < x_cap ? x : x_cap, here.a, a_log_slope);
+    if (x <= curve.x_y) { // (2.15), inlined: in a loose packing many contacts are elastic
+      const double root = std::sqrt(x);
+      const bool hertz = curve.variant == AgarwalVariant::hertz_radius;
+      here.a = hertz ? root : curve.radius.a_bar(x);
+      here.least_a = hertz ? 0.5 : curve.radius.log_slope(x);
+      here.F = 4 / (3 * std::numbers::pi) * curve.lambda * root * here.a * here.a;
+      here.slope = here.F * (0.5 + 2 * here.least_a) / x;
+      here.steepest = 1.5;
+    } else {
+      force(x, here);
+      here.a = radii.value(x < x_cap ? x : x_cap);
+    }
     here.F *= force_scale;
     here.slope *= force_scale * pair.x_per_gamma;
     here.a *= pair.R_e;
@@ -181,6 +191,7 @@ inline Agarwal prepare_agarwal(const AgarwalMaterial& m1, const Body& one, const
            x;
   };
   law.slopes.make(curve.x_y, law.x_cap, slope);
+  law.radii.make(curve.x_y, law.x_cap, [&](double x) { return curve.at(x).a; });
   law.slope_at_cap = slope(law.x_cap) / law.x_cap;
   return law;
 }

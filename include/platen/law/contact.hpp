@@ -95,20 +95,24 @@ template <class Real>
 PLATEN_HOT Unloading<Real> unloading_from_slope(const Real& gamma_max, const Loading<Real>& peak,
                                                 const Real& S_gamma, const Real& alpha) {
   using std::sqrt;
-  Real beta_F = S_gamma;                           // beta F_max
-  if (beta_F < Real(2) * peak.steepest * peak.F) { // else it is stiff enough for all three
-    const Real n = peak.steepest, s = peak.least_a, half = n - Real(1) - s / Real(2);
+  const Real n = peak.steepest, s = peak.least_a;
+  Real beta_F = S_gamma; // beta F_max
+  if (n <= Real(1) + s && n <= alpha) {
+    beta_F = larger(beta_F, n * peak.F);      // the second and third follow from the first
+  } else if (beta_F < Real(2) * n * peak.F) { // else it is stiff enough for all three
+    const Real half = n - Real(1) - s / Real(2);
     beta_F = larger(beta_F, peak.F * larger(n, half + sqrt(half * half + n)));
     if (alpha * peak.F < beta_F)
       beta_F = larger(beta_F, peak.F * alpha * (Real(2) * n - s) / (Real(1) + alpha));
-    if (!(alpha * peak.F < beta_F)) return {Real(1) / gamma_max, beta_F / peak.F};
   }
+  if (!(alpha * peak.F < beta_F)) return {Real(1) / gamma_max, beta_F / peak.F};
   return {beta_F / (alpha * peak.F * gamma_max), alpha};
 }
 
 template <class Real> PLATEN_HOT Real power(const Real& base, const Real& exponent) {
   using std::pow, std::sqrt;
   if (exponent == Real(0.5)) return sqrt(base); // the generic unloading; several times faster
+  if (base == Real(1)) return Real(1);          // on the loading curve
   if constexpr (std::same_as<Real, double>) return detail::fast_power(base, exponent);
   else return pow(base, exponent);
 }

@@ -1,7 +1,7 @@
 #pragma once
 // Compressible plastic particles: a linear, then exponential law fitted to finite-element curves.
-// Edmans & Sinka, "Numerical derivation of a normal contact law for compressible plastic particles": loading
-// (6), unloading (9)-(14). Which material gives which parameters: edmans_sinka_appendix.hpp.
+// Edmans & Sinka, "Numerical derivation of a normal contact law for compressible plastic particles":
+// loading (6), unloading (9)-(14). Which material gives which parameters: edmans_sinka_appendix.hpp.
 //
 //   F_bar = k x                          x <= delta_t           x = delta/R, F_bar = F/(pi R^2 sigma_ref)
 //   F_bar = k delta_t exp(a (x-delta_t))  x >  delta_t                                               (6)
@@ -10,8 +10,8 @@
 // finite elements (von Mises, E/sigma_y = 100), see docs/laws/edmans-sinka.md.
 
 #include "platen/law/contact.hpp"
+#include "platen/law/curve_table.hpp"
 #include "platen/law/edmans_sinka_curve.hpp"
-#include "platen/law/log_table.hpp"
 #include "platen/law/pair.hpp"
 #include "platen/law/radius_polynomial.hpp"
 
@@ -54,6 +54,7 @@ template <class Real = double> struct EdmansSinka {
   Real force_scale{};   ///< pi R_e^2 sigma_ref [N]
   Real gamma_elastic{}; ///< 0: the law has no elastic range
   Real gamma_limit{};
+  SlopeTable slopes;         ///< S gamma_max of the generic unloading, for double
   LogTable<4, 128> rates[2]; ///< rate gamma_max of the generic unloading below and above delta_t, for double
   double x_fast = infinity;  ///< from here on they hold
   bool plain = false;        ///< a variant that is (6) itself
@@ -97,11 +98,13 @@ template <class Real = double> struct EdmansSinka {
       const double x = gamma * pair.x_per_gamma;
       if (x_fast < x && x < EdmansSinkaCurve<double>::x_end)
         return {rates[x > curve.delta_t].value(x) / gamma, 1.5};
+      if (slopes.x_low < x && x < slopes.x_high)
+        return unloading_from_slope(gamma, peak, slopes.value(x), 1.5);
     }
     return any_unloading(gamma, peak);
   }
 
-  /// Soft or far contacts, measured unloading curves, other scalars.
+  /// Very small or far contacts, measured unloading curves, other scalars.
   [[nodiscard]] PLATEN_RARE Unloading<Real> any_unloading(const Real& gamma,
                                                           const Loading<Real>& peak) const {
     if (unloadings > 0) return measured_unloading(gamma, peak);
@@ -162,7 +165,11 @@ inline void tabulate_slopes(EdmansSinka<double>& law) {
         return beta > 1.5 && beta > 2 * peak.steepest ? beta / 1.5 : 0;
       };
   law.x_fast = infinity;
-  if (law.unloadings > 0 || !law.plain) return;
+  if (law.unloadings > 0) return;
+  law.slopes.make(0x1p-20, x_end, [&](double x) {
+    return law.pair.unloading_slope(law.pair.R_e * law.radius.a_bar(x)) * x / law.pair.x_per_gamma;
+  });
+  if (!law.plain) return;
   double x = x_end;
   while (x > least && rate(x / 1.01) > 0) x /= 1.01;
   if (x > 0.9 * x_end) return;

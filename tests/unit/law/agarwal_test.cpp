@@ -147,6 +147,16 @@ TEST(Agarwal, TablesFollowTheFormulasToOneInTenThousand) {
   EXPECT_LE(worst, 1e-4);
 }
 
+TEST(Agarwal, TabledRadiusFollowsTheFormula) {
+  for (auto variant : both_variants)
+    for (LoadingCase loading : all_cases) {
+      const Agarwal law = prepare(soft_metal(loading, variant), 1e-3);
+      for (double x = law.curve.x_y * 0.5; x < law.x_cap; x *= 1.003)
+        ASSERT_NEAR(law.loading(x / law.pair.x_per_gamma).a / (law.pair.R_e * law.curve.at(x).a), 1, 2e-5)
+            << x;
+    }
+}
+
 TEST(Agarwal, TabledCurveIsContinuousAtItsOwnJoints) {
   for (LoadingCase loading : all_cases) {
     const Agarwal law = prepare(soft_metal(loading), 1e-3);

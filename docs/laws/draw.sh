@@ -1,0 +1,25 @@
+#!/bin/sh
+# Draws the curves of these pages with the library itself. Usage: docs/laws/draw.sh PLATEN_PROGRAM
+set -eu
+platen=$1
+cd "$(dirname "$0")"
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+draw() { # NAME END_OVERLAP PARAMETERS...: up to the end, down, and up again to a little more
+  name=$1 end=$2
+  shift 2
+  awk -v e="$end" 'BEGIN { print "overlap_m"; n = 150
+    for (i = 1; i <= n; ++i) print 0.9 * e * i / n
+    for (i = n; i >= 0; --i) print 0.9 * e * i / n
+    for (i = 1; i <= n; ++i) print e * i / n }' > "$work/path.csv"
+  "$platen" eval "$name" "$@" --path "$work/path.csv" -o "$work/$name.csv" 2> "$work/warnings" || cat "$work/warnings"
+  gnuplot -e "set terminal svg size 560,360 font 'sans,12'; set output '$name.svg'; set datafile separator ',';
+    set xlabel 'overlap of the centres [mm]'; set ylabel 'force [N]'; set grid; unset key;
+    plot '$work/$name.csv' every ::1 using (1e3*\$1):2 with lines linewidth 2"
+}
+draw hertz 2e-5 -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3
+draw similarity 6e-5 -p radius_m=1e-3 -p E_Pa=2e9 -p nu=0.3 -p kappa_Pa=1e7 -p inverse_m=0.3
+draw edmans-sinka 1e-3 -p radius_m=1e-3 -p sigma_ref_Pa=8.61e6 -p E_Pa=4.417e8 -p nu=0.1472 -p k=4.2 -p delta_t=0.09 -p a=3.5
+draw wang 1.2e-5 -p radius_m=0.1 -p E_Pa=1e10 -p nu=0.15 -p phi_deg=25 -p sigma_c_Pa=15e6
+draw agarwal 1e-3 -p radius_m=1e-3 -p E_Pa=5e8 -p nu=0.3 -p sigma_y_Pa=1e6
+draw shahin 1e-3 -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 -p kappa_Pa=1e6 -p inverse_m=0.3
