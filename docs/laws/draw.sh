@@ -15,7 +15,7 @@ draw() { # NAME END_OVERLAP PARAMETERS...: up to the end, down, and up again to 
   "$platen" eval "$name" "$@" --path "$work/path.csv" -o "$work/$name.csv" 2> "$work/warnings" || cat "$work/warnings"
   gnuplot -e "set terminal svg size 560,360 font 'sans,12'; set output '$name.svg'; set datafile separator ',';
     set xlabel 'overlap of the centres [mm]'; set ylabel 'force [N]'; set grid; unset key;
-    plot '$work/$name.csv' every ::1 using (1e3*\$1):2 with lines linewidth 2"
+    plot '$work/$name.csv' every ::1 using (1e3*\$1):2 with lines linewidth 2 title '$name'" # a title, or the file's path would be written into the drawing
 }
 draw hertz 2e-5 -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3
 draw similarity 6e-5 -p radius_m=1e-3 -p E_Pa=2e9 -p nu=0.3 -p kappa_Pa=1e7 -p inverse_m=0.3

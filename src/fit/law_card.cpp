@@ -92,6 +92,11 @@ LawCard read_law_card(const std::string& what) {
   const Table table = core::read_toml(core::find_card("laws", what));
   static const std::vector<std::string> known = {"platen",   "law",   "variant",   "parameters",
                                                  "validity", "error", "provenance"};
+  for (const auto& entry : table.entries)
+    for (const auto& [key, kind] : {std::pair{"model", "a material"}, std::pair{"experiment", "a case"}})
+      if (entry.key == key)
+        throw InvalidInput(fmt::format("{} says that this is {} card; a law card is wanted, with the key law",
+                                       core::place(table, key), kind));
   core::refuse_unknown_keys(table, known);
   LawCard card;
   card.file = table.file;

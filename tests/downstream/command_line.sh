@@ -155,7 +155,9 @@ answers 2 'neither sphere nor plane' "$platen" eval "${hertz[@]}" --against wall
 answers 2 'there is no such file' "$platen" eval missing.toml --overlap 0:1e-6:3
 answers 2 'there is no such file' "$platen" export table missing.toml --overlap 1e-7:1e-6:3
 material nu 'nu = 0.3'
-answers 2 'material.toml' "$platen" eval material.toml --overlap 0:1e-6:3
+case_card base-case
+answers 2 'this is a case card' "$platen" eval case.toml --overlap 0:1e-6:3
+answers 2 'this is a material card' "$platen" eval material.toml --overlap 0:1e-6:3
 answers 2 'there is no such file' "$platen" eval "${hertz[@]}" --path missing.csv
 printf 'x\n1\n' >path.csv
 answers 2 'column overlap_m is missing' "$platen" eval "${hertz[@]}" --path path.csv
