@@ -126,6 +126,13 @@ answers 2 'known are: radius_m' "$platen" eval hertz -p radius=1 --overlap 0:1:3
 answers 2 'nu = 0.5 is not in [0, 0.5)' "$platen" eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.5 --overlap 0:1:3
 answers 0 'unloading_exponent' "$platen" export table hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 1e-7:1e-6:3
 
+# --- a press that cannot go on: strength falls while stiffness rises with density ---
+material 'zeta' 'zeta = -40' 'eta' 'eta = 60' 'xi' 'xi = 80' 'omega' 'omega = 60' 'Lambda_bar' 'Lambda_bar = 0.1'
+answers 3 'stopped at delta_bar' "$platen" derive material.toml -o unable --elements 200
+has unable/curve.csv
+grep -qF '"complete": false' unable/summary.json || { failures=$((failures + 1)); echo 'FAILED: summary.json calls it complete'; }
+has_not unable/law.toml
+
 # --- interrupted: what was computed is kept and can be read ---
 case_card base-case
 "$platen" press case.toml -o stopped >answer 2>&1 &
