@@ -63,7 +63,7 @@ int main(int argc, char** argv) {
     const auto& s = ours.statistics;
     fmt::print("platen   {:7.1f} s of processor time, {} steps, {} iterations\n", ours.cpu_s, s.steps,
                s.iterations);
-    fmt::print("ccx      (minutes)\n");
+    fmt::print(stderr, "ccx runs now, for some minutes\n");
     std::fflush(stdout);
     const auto peer = bench::run_calculix(mesh, press, folder);
     fmt::print("ccx      {:7.1f} s of processor time, {} steps, {} iterations\n\n", peer.cpu_s,

@@ -223,8 +223,8 @@ template <PlasticModel M>
         return std::array<double, 3>{x[0] + fraction * dx[0], x[1] + fraction * dx[1],
                                      x[2] + fraction * dx[2]};
       };
-      // The curve goes on, mirrored, behind its ends on the axis q = 0: pass an end by no more than its
-      // distance.
+      // The curve goes on, mirrored, behind its ends on the axis q = 0: pass an end by a tenth of its
+      // distance, enough to converge on it, too little to find roots behind it.
       if (x[0] + dx[0] < e.s_min) fraction = std::min(fraction, 1.1 * (e.s_min - x[0]) / dx[0]);
       if (x[0] + dx[0] > e.s_max) fraction = std::min(fraction, 1.1 * (e.s_max - x[0]) / dx[0]);
       if (!(fraction > 0)) return false;
@@ -242,8 +242,8 @@ template <PlasticModel M>
   detail::Return e;
   const auto solved_from = [&](const std::array<double, 3>& x) {
     if (!newton(x, e)) return false;
-    // A root is admissible if it lies on the curve proper and the plastic strain points outward; a trial that is
-    // outside by rounding alone does not flow.
+    // A root is admissible if it lies on the curve proper and the plastic strain points outward; a trial that
+    // is outside by rounding alone does not flow.
     const double rounding = relative_return_tolerance * strain_unit;
     const double end = 1e-9 * (e.s_max - e.s_min);
     const double dv = trial.eps_v - e.eps_v, dw = trial.eps_q - e.eps_q;

@@ -172,6 +172,13 @@ answers 2 'is no law of its own overlap' "$platen" eval agarwal -p radius_m=1e-3
 answers 2 '-p is for' "$platen" laws hertz -p E_Pa=1
 answers 0 'the contact radius is ours, provisional' "$platen" laws wang
 
+# --- a press that cannot go on: strength falls while stiffness rises with density ---
+material 'zeta' 'zeta = -40' 'eta' 'eta = 60' 'xi' 'xi = 80' 'omega' 'omega = 60' 'Lambda_bar' 'Lambda_bar = 0.1'
+answers 3 'stopped at delta_bar' "$platen" derive material.toml -o unable --elements 200
+has unable/curve.csv
+grep -qF '"complete": false' unable/summary.json || { failures=$((failures + 1)); echo 'FAILED: summary.json calls it complete'; }
+has_not unable/law.toml
+
 # --- interrupted: what was computed is kept and can be read ---
 case_card base-case
 "$platen" press case.toml -o stopped >answer 2>&1 &
