@@ -36,6 +36,7 @@ std::vector<double> asked_overlaps(const Options& options) {
   const auto column = csv.column("overlap_m");
   std::vector<double> overlaps;
   for (const auto& row : csv.rows) overlaps.push_back(csv.number(row, column));
+  if (overlaps.empty()) throw core::InvalidInput(options.path + ": there is no row below the header");
   return overlaps;
 }
 

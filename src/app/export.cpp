@@ -27,6 +27,8 @@ std::string table_of(const fit::LawCard& card, const law::AnyLaw& law, const std
   text += "# unloading: F = force_N (1 - unloading_rate_per_m (overlap_max - overlap))^unloading_exponent\n"
           "overlap_m,force_N,stiffness_N_per_m,contact_radius_m,unloading_rate_per_m,unloading_exponent,in_"
           "range\n";
+  if (overlaps.front() > overlaps.back())
+    throw core::InvalidInput("a table rises: --overlap FROM:TO:COUNT needs FROM < TO");
   for (double overlap : overlaps) {
     if (!(overlap > 0)) throw core::InvalidInput("a table needs overlaps above 0; at 0 the force is 0");
     const auto r = law::evaluate(law, {}, overlap);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace platen::app {
@@ -45,7 +46,8 @@ law::ParameterTexts parameters_of(const LawArguments& arguments) {
     const auto equals = p.find('=');
     if (equals == std::string::npos || equals == 0)
       throw InvalidInput(fmt::format("-p {} is not of the form key=value", p));
-    texts[p.substr(0, equals)] = p.substr(equals + 1);
+    if (!texts.emplace(p.substr(0, equals), p.substr(equals + 1)).second)
+      throw InvalidInput(fmt::format("-p {} is given twice", p.substr(0, equals)));
   }
   if (arguments.against != "sphere" && arguments.against != "plane")
     throw InvalidInput(fmt::format("--against {} is neither sphere nor plane", arguments.against));
@@ -63,7 +65,10 @@ std::vector<double> overlaps_of(const std::string& range) {
   if (parts.size() != 3)
     throw InvalidInput(fmt::format("--overlap {} is not of the form FROM:TO:COUNT", range));
   const double from = number(0), to = number(1), count = number(2);
-  if (count < 2 || count > 1e7 || count != static_cast<int>(count))
+  if (!std::isfinite(from) || !std::isfinite(to))
+    throw InvalidInput(fmt::format("--overlap {}: both ends must be finite numbers", range));
+  if (from == to) throw InvalidInput(fmt::format("--overlap {}: the range is empty", range));
+  if (!(count >= 2) || count > 1e7 || count != static_cast<int>(count))
     throw InvalidInput(fmt::format("--overlap {}: the count must be a whole number from 2 to 1e7", range));
   std::vector<double> overlaps;
   const int n = static_cast<int>(count);

@@ -132,6 +132,49 @@ answers 3 'stopped at delta_bar' "$platen" derive material.toml -o unable --elem
 has unable/curve.csv
 grep -qF '"complete": false' unable/summary.json || { failures=$((failures + 1)); echo 'FAILED: summary.json calls it complete'; }
 has_not unable/law.toml
+# --- laws, used without care ---
+hertz=(hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3)
+for range in 0:1e-6:1 0:1e-6:0 0:1e-6:-3 0:1e-6:2.5 0:1e-6:1e9 0:1e-6:nan; do
+  answers 2 'whole number from 2 to 1e7' "$platen" eval "${hertz[@]}" --overlap $range
+  answers 2 'whole number from 2 to 1e7' "$platen" export table "${hertz[@]}" --overlap $range
+done
+for range in nan:1e-6:3 0:inf:3 -inf:0:3; do
+  answers 2 'must be finite' "$platen" eval "${hertz[@]}" --overlap=$range
+done
+answers 2 'the range is empty' "$platen" eval "${hertz[@]}" --overlap 1e-6:1e-6:3
+answers 2 'the range is empty' "$platen" export table "${hertz[@]}" --overlap 1e-6:1e-6:3
+answers 2 'a table rises' "$platen" export table "${hertz[@]}" --overlap 2e-6:1e-6:3
+answers 2 'above 0' "$platen" export table "${hertz[@]}" --overlap 0:1e-6:3
+answers 2 '--overlap' "$platen" export table "${hertz[@]}"
+answers 2 'FROM:TO:COUNT' "$platen" eval "${hertz[@]}" --overlap 0:1e-6
+answers 2 "is not a number" "$platen" eval "${hertz[@]}" --overlap a:b:c
+answers 2 'give either --overlap' "$platen" eval "${hertz[@]}"
+answers 0 '1e-6,0.0163814503' "$platen" eval "${hertz[@]}" --overlap=-1e-6:1e-6:3 # Hertz by hand
+answers 2 'nu is given twice' "$platen" eval "${hertz[@]}" -p nu=0.2 --overlap 0:1e-6:3
+answers 2 "radius_m = 'nan'" "$platen" eval hertz -p radius_m=nan -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-6:3
+answers 2 'radius_m = -1 is not in (0, inf)' "$platen" eval hertz -p radius_m=-1 -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-6:3
+answers 2 "radius_m = '' is not a number" "$platen" eval hertz -p radius_m= -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-6:3
+answers 2 'radius_m is missing' "$platen" eval hertz -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-6:3
+answers 2 'not of the form key=value' "$platen" eval hertz -p radius_m --overlap 0:1e-6:3
+answers 2 'known are: published' "$platen" eval "${hertz[@]}" --variant none --overlap 0:1e-6:3
+answers 2 'neither sphere nor plane' "$platen" eval "${hertz[@]}" --against wall --overlap 0:1e-6:3
+answers 2 'there is no such file' "$platen" eval missing.toml --overlap 0:1e-6:3
+answers 2 'there is no such file' "$platen" export table missing.toml --overlap 1e-7:1e-6:3
+material nu 'nu = 0.3'
+answers 2 'material.toml' "$platen" eval material.toml --overlap 0:1e-6:3
+answers 2 'there is no such file' "$platen" eval "${hertz[@]}" --path missing.csv
+printf 'x\n1\n' >path.csv
+answers 2 'column overlap_m is missing' "$platen" eval "${hertz[@]}" --path path.csv
+printf 'overlap_m\nnan\n' >path.csv
+answers 2 'is not a finite number' "$platen" eval "${hertz[@]}" --path path.csv
+printf 'overlap_m\n' >path.csv
+answers 2 'no row below the header' "$platen" eval "${hertz[@]}" --path path.csv
+answers 4 'cannot be written' "$platen" eval "${hertz[@]}" --overlap 0:1e-6:3 -o no/such/folder/out.csv
+answers 4 'cannot be written' "$platen" export table "${hertz[@]}" --overlap 1e-7:1e-6:3 -o no/such/folder/out.csv
+answers 2 'is no law of its own overlap' "$platen" eval agarwal -p radius_m=1e-3 -p E_Pa=5e8 -p nu=0.3 -p sigma_y_Pa=1e6 \
+  -p loading=die -p kind=secondary --overlap 0:1e-4:3
+answers 2 '-p is for' "$platen" laws hertz -p E_Pa=1
+answers 0 'the contact radius is ours, provisional' "$platen" laws wang
 
 # --- interrupted: what was computed is kept and can be read ---
 case_card base-case

@@ -1,5 +1,7 @@
 #pragma once
-// One law over many contacts: what a DEM code calls between its neighbour list and its force sum.
+// One law over many contacts: what a DEM code calls between its neighbour list and its force sum, and what
+// the C interface offers to codes that cannot inline a law. It is a convenience, not faster than the loop a
+// C++ host writes itself: regimes and table cells differ from contact to contact, so nothing vectorises.
 
 #include "platen/law/contact.hpp"
 

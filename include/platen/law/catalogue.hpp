@@ -108,7 +108,8 @@ inline const std::vector<LawInfo>& laws() {
         {"wang",
          "granular geomaterials, Drucker-Prager",
          "Wang et al. (2018), (8)-(18)",
-         "E 10-30 GPa, nu 0.1-0.3, phi 20-40 deg, sigma_c 5-50 MPa, a/R < 0.02",
+         "E 10-30 GPa, nu 0.1-0.3, phi 20-40 deg, sigma_c 5-50 MPa, a/R < 0.02; the contact radius is ours, "
+         "provisional",
          "generic|fitted|published",
          {R,
           R2,
@@ -137,7 +138,10 @@ inline const std::vector<LawInfo>& laws() {
           nu2,
           {"sigma_y_Pa", "uniaxial yield stress", positive},
           {"sigma_y2_Pa", "uniaxial yield stress of the second body", positive, 0}},
-         {against, loading}},
+         {against,
+          loading,
+          {"kind", "secondary: the sides of a particle in a die; refused, see docs/laws/agarwal.md",
+           "primary|secondary"}}},
         {"shahin",
          "rigid-plastic spheres with power-law hardening, large deformation",
          "Shahin's thesis, (3.45)-(3.59)",
@@ -330,6 +334,14 @@ inline AnyLaw make_law(std::string_view name, std::string_view variant, const Pa
     return prepared(one, two);
   }
   if (name == "agarwal") {
+    if (read.word("kind") == "secondary")
+      throw BadParameter(
+          "agarwal: kind = secondary is no law of its own overlap: the thesis gives the sides of a particle "
+          "in a "
+          "die over the overlap of the primary contacts, force up to x = gamma/2R = 0.1 and pressure from "
+          "about "
+          "0.41 on, nothing between and no unloading; allowed here is primary (C++: secondary_contact() in "
+          "agarwal_secondary.hpp)");
     AgarwalMaterial one{E, nu, read("sigma_y_Pa"), detail::loading_of(read)};
     one.variant = chosen == "published" ? AgarwalVariant::published : AgarwalVariant::hertz_radius;
     AgarwalMaterial two = one;

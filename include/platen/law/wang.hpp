@@ -86,14 +86,17 @@ template <class Real = double> struct Wang {
     return {F, b * F / gamma, contact_radius(gamma), b, least};
   }
 
-  /// The paper gives none. Ours, provisional: Hertz up to yield, then an area that grows like gamma^1.14, as
-  /// in Kogut and Etsion's finite elements (0.93-0.94 omega^1.136-1.146, omega = gamma/gamma_y <= 110), up to
-  /// twice Hertz's.
+  /// The paper gives none. Ours, provisional: no finite elements have confirmed it. Of the overlap an elastic
+  /// part gamma_e fills the area as in Hertz, a^2 = gamma_e/A, and the rest as if the spheres were cut off
+  /// there, a^2 = 2 (gamma - gamma_e)/A, to first order in gamma A. gamma_e is what Hertz needs for the
+  /// force, gamma_e ~ F^(2/3) ~ gamma^(2b/3), all of gamma at yield:
+  ///   a^2 = gamma/A (2 - (gamma/gamma_y)^(2b/3 - 1)),  gamma > gamma_y, b < 3/2;  else Hertz, a^2 = gamma/A
+  /// Hertz in the elastic limit b = 3/2; never more than twice Hertz's area.
   [[nodiscard]] PLATEN_FUNCTION Real contact_radius(const Real& gamma) const {
     using std::pow, std::sqrt;
     const Real hertz = gamma / pair.A;
-    if (gamma <= gamma_y) return sqrt(hertz);
-    return sqrt(hertz * smaller(Real(2), pow(gamma / gamma_y, Real(0.14))));
+    if (gamma <= gamma_y || Real(1.5) <= b) return sqrt(hertz);
+    return sqrt(hertz * (Real(2) - pow(gamma / gamma_y, b / Real(1.5) - Real(1))));
   }
 
   [[nodiscard]] PLATEN_HOT bool in_range(const Real& gamma) const {
