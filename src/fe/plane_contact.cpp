@@ -196,7 +196,8 @@ void PlaneContact::follow(double rise, std::vector<double>& guess) const {
     for (const EdgePoint& point : edges[e])
       if (height_above_plane(point, e, u) < 0)
         for (int k = 0; k < 2; ++k)
-          if (const int node = solid.mesh.surface[e + k]; !std::exchange(moved[node], 1)) guess[2 * node + 1] += rise;
+          if (const int node = solid.mesh.surface[e + k]; !std::exchange(moved[node], 1))
+            guess[2 * node + 1] += rise;
 }
 
 Contact PlaneContact::contact() const {

@@ -46,7 +46,8 @@ class PlaneContact {
   /// the solid holds the evaluation there, not committed; else `u` is unchanged.
   StepReport solve(double height, std::vector<double> guess);
 
-  /// Moves the nodes in contact at the last equilibrium by `rise` along the axis: a guess for a plane that turns.
+  /// Moves the nodes in contact at the last equilibrium by `rise` along the axis: a guess for a plane that
+  /// turns.
   void follow(double rise, std::vector<double>& guess) const;
 
   Contact contact() const; ///< at the last equilibrium

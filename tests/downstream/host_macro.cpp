@@ -1,4 +1,5 @@
-// Every function that a DEM code's inner loop reaches, instantiated; host_macro.sh checks that each carries the macro.
+// Every function that a DEM code's inner loop reaches, instantiated; host_macro.sh checks that each carries
+// the macro.
 #include "platen/law/agarwal.hpp"
 #include "platen/law/batch.hpp"
 #include "platen/law/edmans_sinka.hpp"
@@ -7,8 +8,7 @@
 #include "platen/law/similarity.hpp"
 #include "platen/law/wang.hpp"
 
-template <class Law>
-double reach(const Law& law, const platen::law::State& state, double overlap) {
+template <class Law> double reach(const Law& law, const platen::law::State& state, double overlap) {
   const auto now = evaluate(law, state, overlap);
   return now.force + now.dissipated_work + now.mean_pressure;
 }
@@ -21,6 +21,7 @@ template double reach(const Wang<double>&, const State&, double);
 template double reach(const Agarwal&, const State&, double);
 template double reach(const Shahin&, const State&, double);
 
-void reach_all(const Wang<double>& law, std::span<const double> overlap, std::span<State> state, std::span<double> force) {
+void reach_all(const Wang<double>& law, std::span<const double> overlap, std::span<State> state,
+               std::span<double> force) {
   evaluate_all(law, overlap, state, force);
 }

@@ -1,5 +1,5 @@
-#include <platen/law/edmans_sinka.hpp>
 #include <cstdio>
+#include <platen/law/edmans_sinka.hpp>
 int main() {
   platen::law::EdmansSinkaMaterial mcc;
   mcc.sigma_ref = 8.61e6, mcc.E = 4.417e8, mcc.nu = 0.1472, mcc.k = 4.2, mcc.delta_t = 0.09, mcc.a = 3.5;
