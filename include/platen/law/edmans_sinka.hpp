@@ -157,24 +157,28 @@ inline void check(const EdmansSinkaMaterial& m) {
 /// force.
 inline void tabulate_slopes(EdmansSinka<double>& law) {
   constexpr double x_end = EdmansSinkaCurve<double>::x_end, least = 0x1p-6;
-  const auto rate =
-      [&](double x) { // rate gamma_max, or nothing where the generic curve had to be bent or stiffened
-        const double gamma = x / law.pair.x_per_gamma;
-        const Loading<double> peak = law.loading(gamma);
-        const double beta = law.pair.unloading_slope(peak.a) * gamma / peak.F;
-        return beta > 1.5 && beta > 2 * peak.steepest ? beta / 1.5 : 0;
-      };
+  // rate gamma_max, or nothing where the generic curve has to be bent or stiffened, or nearly: between the
+  // places where it is looked at, it moves by less than this margin.
+  constexpr double margin = 1.05;
+  const auto rate = [&](double x) {
+    const double gamma = x / law.pair.x_per_gamma;
+    const Loading<double> peak = law.loading(gamma);
+    const double beta = law.pair.unloading_slope(peak.a) * gamma / peak.F;
+    return beta > margin * 1.5 && beta > margin * 2 * peak.steepest ? beta / 1.5 : 0;
+  };
   law.x_fast = infinity;
   if (law.unloadings > 0) return;
   law.slopes.make(0x1p-20, x_end, [&](double x) {
     return law.pair.unloading_slope(law.pair.R_e * law.radius.a_bar(x)) * x / law.pair.x_per_gamma;
   });
-  if (!law.plain) return;
+  if (!law.plain || rate(x_end) == 0) return;
   double x = x_end;
   while (x > least && rate(x / 1.01) > 0) x /= 1.01;
   if (x > 0.9 * x_end) return;
-  law.x_fast = x;
   const double kink = law.curve.delta_t; // of F, hence of the rate: one table on either side
+  for (const double side : {kink * (1 - 1e-15), kink * (1 + 1e-15)})
+    if (x < side && side < x_end && rate(side) == 0) return;
+  law.x_fast = x;
   if (x < kink) law.rates[0].make(x, kink, [&](double at) { return rate(smaller(at, kink * (1 - 1e-15))); });
   if (kink < x_end)
     law.rates[1].make(larger(x, kink), x_end,
