@@ -8,7 +8,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 "$1" --install "$2" --prefix "$work/prefix" --component law > "$work/log"
 for language in CXX C; do
-  "$1" -S "$here" -B "$work/$language" -DLANGUAGE=$language -DCMAKE_PREFIX_PATH="$work/prefix" >> "$work/log" 2>&1 &&
+  "$1" -G Ninja -S "$here" -B "$work/$language" -DLANGUAGE=$language -DCMAKE_PREFIX_PATH="$work/prefix" >> "$work/log" 2>&1 &&
     "$1" --build "$work/$language" >> "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
   got=$("$work/$language/ten_lines")
   [ "$got" = "15.026167 1" ] || { echo "$language printed '$got'"; exit 1; }
