@@ -47,6 +47,24 @@ const std::vector<Field<Vmdc>> vmdc_fields = {
     {"xi_2", &Vmdc::xi_2, "slope of epsilon over relative density", any_number},
 };
 
+/// What any material may say beside its model.
+struct Beside {
+  double tensile_strength = 0; ///< 0: not given
+};
+const std::vector<Field<Beside>> beside_fields = {
+    Field<Beside>{"tensile_strength_Pa", &Beside::tensile_strength,
+                  "any model: a press says where the largest principal stress reaches it", positive}
+        .optional(),
+};
+const std::vector<std::string> beside_keys = {"tensile_strength_Pa"};
+
+std::optional<double> read_tensile_strength(const Table& parameters) {
+  std::vector<std::string> others; // the model's own, already read
+  for (const auto& entry : parameters.entries) others.push_back(entry.key);
+  const double strength = core::read_fields<Beside>(parameters, beside_fields, {}, others).tensile_strength;
+  return strength > 0 ? std::optional(strength) : std::nullopt;
+}
+
 /// The fields of the model's own type, handed to `use`.
 template <class Use> decltype(auto) with_fields(const Model& model, Use use) {
   struct Choose {
@@ -60,7 +78,7 @@ template <class Use> decltype(auto) with_fields(const Model& model, Use use) {
 
 const std::vector<std::string> model_names = {"elastic", "von-mises", "vmdc"};
 const std::vector<std::string> later_models = {"dpc", "drucker-prager", "mohr-coulomb"};
-const std::vector<std::string> later_parameters = {"hardening", "density_kg_per_m3", "tensile_strength_Pa"};
+const std::vector<std::string> later_parameters = {"hardening", "density_kg_per_m3"};
 
 struct Head {
   int platen = 1;
@@ -125,11 +143,12 @@ Card read_card(std::string_view what) {
 Card read_card(const Table& table) {
   const Head head = core::read_fields<Head>(table, head_fields, {}, sections);
   const Table& parameter_table = needed_section(table, "parameters");
-  Card card{{head.name, empty_model(table, head.model)}, {}, table.file};
+  Card card{{head.name, empty_model(table, head.model), {}}, {}, table.file};
   refuse_later_parameters(parameter_table);
   card.material.model = with_fields(card.material.model, [&](const auto& fields, const auto& empty) -> Model {
-    return core::read_fields(parameter_table, fields, empty);
+    return core::read_fields(parameter_table, fields, empty, beside_keys);
   });
+  card.material.tensile_strength = read_tensile_strength(parameter_table);
   if (const Table* source = core::section(table, "source"))
     card.sources = read_sources(*source, parameter_table);
   return card;
@@ -139,10 +158,19 @@ std::string card_text(const Material& material) {
   const Head head{1, material.name, std::string(model_name(material.model))};
   const auto lines = with_fields(
       material.model, [](const auto& fields, const auto& model) { return core::card_lines(fields, model); });
-  return fmt::format("{}\n[parameters]\n{}", core::card_lines(head_fields, head), lines);
+  const auto strength = material.tensile_strength;
+  return fmt::format("{}\n[parameters]\n{}{}", core::card_lines(head_fields, head), lines,
+                     strength ? core::card_line(beside_keys[0], *strength) : "");
 }
 
 std::string_view model_name(const Model& model) { return model_names[model.index()]; }
+
+std::vector<Parameter> parameters(const Material& material) {
+  auto list = parameters(material.model);
+  if (const auto strength = material.tensile_strength)
+    list.push_back({beside_fields[0].key, *strength, beside_fields[0].meaning});
+  return list;
+}
 
 std::vector<Parameter> parameters(const Model& model) {
   return with_fields(model, [](const auto& fields, const auto& m) {
@@ -160,6 +188,8 @@ std::string card_reference() {
   page += "\n## [parameters] of model = \"von-mises\"\n\n" +
           core::reference_table(core::infos<VonMises>(von_mises_fields));
   page += "\n## [parameters] of model = \"vmdc\"\n\n" + core::reference_table(core::infos<Vmdc>(vmdc_fields));
+  page += "\n## [parameters] beside those of the model\n\n" +
+          core::reference_table(core::infos<Beside>(beside_fields));
   page += "\n## [source]\n\nText for any key above, or `default`: where its value is from.\n";
   return page;
 }

@@ -6,6 +6,7 @@
 #include "material/vmdc.hpp"
 #include "material/von_mises.hpp"
 
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -17,6 +18,7 @@ using Model = std::variant<Elastic, VonMises, Vmdc>;
 struct Material {
   std::string name;
   Model model;
+  std::optional<double> tensile_strength = {}; ///< Pa, > 0; it flags fracture, no model knows it
 };
 
 /// Young's modulus of the undeformed material (Pa).

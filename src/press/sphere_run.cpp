@@ -9,6 +9,14 @@ namespace {
 
 double initial_density(const material::Model& model) { return material::relative_density(model, 0); }
 
+/// Invariants of the plastic Hencky strain of a point.
+material::TrialInvariants plastic_strain(const fe::PointState& point) {
+  const auto& [rr, zz, rz, tt] = point.Cp_inv;
+  const double mean = (rr + zz) / 2, radius = std::hypot((rr - zz) / 2, rz);
+  return material::invariants(
+      {-std::log(mean + radius) / 2, -std::log(mean - radius) / 2, -std::log(tt) / 2});
+}
+
 } // namespace
 
 SphereRun::SphereRun(const Case& c)
@@ -176,13 +184,15 @@ Snapshot SphereRun::snapshot(Branch branch) const {
   Snapshot s;
   s.delta_bar = now.delta_bar;
   s.branch = branch;
-  for (std::size_t i = 0; i < solid.mesh.nodes.size(); ++i)
+  for (std::size_t i = 0; i < solid.mesh.nodes.size(); ++i) {
+    s.displacement.push_back({now.u[2 * i], now.u[2 * i + 1]});
     s.nodes.push_back({solid.mesh.nodes[i][0] + now.u[2 * i], solid.mesh.nodes[i][1] + now.u[2 * i + 1]});
+  }
   s.quads = solid.mesh.quads;
   for (std::size_t e = 0; e < s.quads.size(); ++e) {
     std::array<Zone, 4> zones;
     std::array<double, 4> stress{};
-    double p = 0, q = 0, phi = 0;
+    double p = 0, q = 0, phi = 0, plastic_v = 0, plastic_q = 0;
     for (int g = 0; g < 4; ++g) {
       const int i = 4 * static_cast<int>(e) + g;
       zones[g] = solid.updates[i].zone;
@@ -191,12 +201,17 @@ Snapshot SphereRun::snapshot(Branch branch) const {
       p += solid.updates[i].p / 4;
       q += solid.updates[i].q / 4;
       phi += solid.updates[i].phi / 4;
+      const auto plastic = plastic_strain(solid.committed[i]);
+      plastic_v += plastic.eps_v / 4;
+      plastic_q += plastic.eps_q / 4;
     }
     s.zones.push_back(zones);
     s.stress.push_back(stress);
     s.p.push_back(p);
     s.q.push_back(q);
     s.phi.push_back(phi);
+    s.plastic_strain_v.push_back(plastic_v);
+    s.plastic_strain_q.push_back(plastic_q);
     s.rho_r.push_back(material::relative_density(solid.model, phi));
   }
   return s;
