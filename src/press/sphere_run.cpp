@@ -24,21 +24,13 @@ SphereRun::SphereRun(const Case& c)
       solid(fe::quarter_disc(c.elements), c.material.model), contact(solid, {}) {
   now.u.assign(solid.unknowns(), 0.0);
   now.change = now.u;
-  now.points = solid.committed;
-  now.elastic.assign(solid.points(), {0, 0});
-  now.zones.assign(solid.points(), Zone::elastic);
+  now.points.resize(solid.points());
   now.row.rho_r_mean = now.row.rho_r_min = now.row.rho_r_max = initial_density(solid.model);
-}
-
-SphereRun::State SphereRun::state() const {
-  State s = now;
-  s.points = solid.committed;
-  return s;
 }
 
 void SphereRun::restore(const State& s) {
   now = s;
-  solid.committed = s.points;
+  for (std::size_t i = 0; i < s.points.size(); ++i) solid.committed[i] = s.points[i].state;
   contact.u = s.u;
 }
 
@@ -51,19 +43,25 @@ fe::StepReport SphereRun::advance(double delta_bar) {
   if (ratio > 0)
     for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += ratio * now.change[i];
   else contact.follow(-step, guess);
+  std::vector<PointFlow> points;
+  for (std::size_t i = 0; i < now.points.size(); ++i) {
+    points.push_back(next_return(now.points[i], now.delta_bar, delta_bar));
+    solid.committed[i] = points[i].start;
+  }
   fe::StepReport report = contact.solve(1 - delta_bar, std::move(guess));
   count(report);
   if (!report.converged) return report;
   for (std::size_t i = 0; i < now.u.size(); ++i) now.change[i] = contact.u[i] - now.u[i];
   now.step = step;
   now.u = contact.u;
-  account(delta_bar, report.iterations);
+  account(delta_bar, report.iterations, points);
   solid.commit();
+  now.points = std::move(points);
   return report;
 }
 
 /// The row of the curve at the new equilibrium, before the state is committed.
-void SphereRun::account(double delta_bar, int iterations) {
+void SphereRun::account(double delta_bar, int iterations, std::vector<PointFlow>& points) {
   const double R = radius_m, R2 = R * R, R3 = R2 * R;
   const fe::Contact c = contact.contact();
   const CurvePoint before = now.row;
@@ -85,9 +83,8 @@ void SphereRun::account(double delta_bar, int iterations) {
   row.sigma_1_max_Pa = 0;
   for (int i = 0; i < solid.points(); ++i) {
     const material::PointUpdate& point = solid.updates[i];
-    const double V = solid.volume[i], phi_n = solid.committed[i].phi;
+    const double V = solid.volume[i];
     const double J_p = material::plastic_volume_ratio(solid.model, point.phi);
-    const double J_p_n = material::plastic_volume_ratio(solid.model, phi_n);
     reference += V;
     unloaded += V * J_p;
     zones[static_cast<int>(point.zone)] += V;
@@ -98,26 +95,7 @@ void SphereRun::account(double delta_bar, int iterations) {
 
     const material::TrialInvariants elastic = material::invariants(point.eps);
     stored += V * J_p * material::stored_energy(solid.model, elastic, point.phi);
-    if (point.zone != Zone::elastic) {
-      // Plastic power of the increment, trapezoidal; a point that was elastic flows from its yield on. What
-      // the change of moduli and of the unloaded volume adds to the stored energy at fixed strain is not
-      // dissipated.
-      const bool flowed = now.zones[i] != Zone::elastic;
-      const material::TrialInvariants start = flowed ? now.elastic[i] : elastic;
-      const auto stress_power = [&](const material::TrialInvariants& strain, double phi) {
-        const auto m = std::visit([&](const auto& model) { return model.moduli(phi); }, solid.model);
-        return m.K * strain.eps_v * point.dv + 3 * m.G * strain.eps_q * point.dw;
-      };
-      const double power =
-          (stress_power(elastic, point.phi) + stress_power(start, flowed ? phi_n : point.phi)) / 2;
-      const material::TrialInvariants middle{(start.eps_v + elastic.eps_v) / 2,
-                                             (start.eps_q + elastic.eps_q) / 2};
-      const double locked = J_p * material::stored_energy(solid.model, middle, point.phi) -
-                            J_p_n * material::stored_energy(solid.model, middle, phi_n);
-      dissipated += V * ((J_p + J_p_n) / 2 * power - locked);
-    }
-    now.elastic[i] = elastic;
-    now.zones[i] = point.zone;
+    dissipated += V * accept(points[i], now.points[i], solid, i);
   }
   row.zone_elastic = zones[0] / reference;
   row.zone_shear = zones[1] / reference;
