@@ -10,7 +10,8 @@
 
 namespace platen::app {
 
-inline constexpr const char* variant_help = "form of the law: published, c1, hertz-like, or the best of them";
+inline constexpr const char* variant_help =
+    "form of the law: published, c1, hertz-like; best: whichever of them fits best";
 
 struct FittedLaw {
   fit::EdmansSinkaFit loading;

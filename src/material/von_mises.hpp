@@ -20,7 +20,7 @@ struct VonMises {
     double s_min() const { return -1e6 * sigma_y; }
     double s_max() const { return 1e6 * sigma_y; }
     bool contains(double, double q) const { return q <= sigma_y; }
-    double first_guess(double p, double) const { return -p; }
+    double first_guess(double p, double, const Moduli&) const { return -p; }
     Zone zone(double) const { return Zone::shear; }
   };
 
