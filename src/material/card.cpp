@@ -4,6 +4,8 @@
 #include "core/error.hpp"
 #include "core/fields.hpp"
 #include "core/nearest.hpp"
+#include "material/drucker_prager_card.hpp"
+#include "material/hardening_card.hpp"
 
 #include <fmt/format.h>
 
@@ -23,6 +25,11 @@ const std::vector<Field<Elastic>> elastic_fields = {
 const std::vector<Field<VonMises>> von_mises_fields = {
     {"sigma_y_Pa", &VonMises::sigma_y, "uniaxial yield stress", positive},
     Field<VonMises>{"E_Pa", &VonMises::E, "Young's modulus", positive}.or_ratio("E_bar", "sigma_y_Pa"),
+    {"nu", &VonMises::nu, "Poisson's ratio", right_open(0, 0.5)},
+};
+/// Of a hardening law that knows its yield stress.
+const std::vector<Field<VonMises>> hardened_fields = {
+    {"E_Pa", &VonMises::E, "Young's modulus", positive},
     {"nu", &VonMises::nu, "Poisson's ratio", right_open(0, 0.5)},
 };
 
@@ -52,15 +59,34 @@ template <class Use> decltype(auto) with_fields(const Model& model, Use use) {
   struct Choose {
     Use& use_;
     auto operator()(const Elastic& m) { return use_(elastic_fields, m); }
-    auto operator()(const VonMises& m) { return use_(von_mises_fields, m); }
+    auto operator()(const VonMises& m) {
+      return use_(has_own_yield_stress(m.hardening) ? hardened_fields : von_mises_fields, m);
+    }
     auto operator()(const Vmdc& m) { return use_(vmdc_fields, m); }
+    auto operator()(const DruckerPrager& m) { return use_(drucker_prager_fields(), m); }
   };
   return std::visit(Choose{use}, model);
 }
 
-const std::vector<std::string> model_names = {"elastic", "von-mises", "vmdc"};
-const std::vector<std::string> later_models = {"dpc", "drucker-prager", "mohr-coulomb"};
-const std::vector<std::string> later_parameters = {"hardening", "density_kg_per_m3", "tensile_strength_Pa"};
+VonMises read_von_mises(const Table& table) {
+  VonMises m{};
+  m.hardening = read_hardening(table);
+  const bool own = has_own_yield_stress(m.hardening);
+  for (const char* key : {"sigma_y_Pa", "E_bar"})
+    if (own && table.find(key))
+      throw core::InvalidInput(
+          fmt::format("{}: this hardening has its own yield stress; leave it out, and give E_Pa",
+                      core::place(table, key)));
+  const std::vector<std::string> others = {"hardening"};
+  m = core::read_fields(table, own ? hardened_fields : von_mises_fields, m, others);
+  m.sigma_y = initial_yield_stress(m.hardening, m.E, m.sigma_y);
+  check_hardening(table, m.hardening, m.E, m.moduli(0).G, m.sigma_y);
+  return m;
+}
+
+const std::vector<std::string> model_names = {"elastic", "von-mises", "vmdc", "drucker-prager"};
+const std::vector<std::string> later_models = {"dpc", "mohr-coulomb"};
+const std::vector<std::string> later_parameters = {"density_kg_per_m3", "tensile_strength_Pa"};
 
 struct Head {
   int platen = 1;
@@ -69,14 +95,15 @@ struct Head {
 const std::vector<Field<Head>> head_fields = {
     {"platen", &Head::platen, "format of the card", closed(1, 1)},
     {"name", &Head::name, "name of the material, for people"},
-    {"model", &Head::model, "elastic, von-mises or vmdc"},
+    {"model", &Head::model, "elastic, von-mises, vmdc or drucker-prager"},
 };
 const std::vector<std::string> sections = {"parameters", "source"};
 
-Model empty_model(const Table& card, const std::string& name) {
-  if (name == "elastic") return Elastic{};
-  if (name == "von-mises") return VonMises{};
-  if (name == "vmdc") return Vmdc{};
+Model read_model(const Table& card, const std::string& name, const Table& table) {
+  if (name == "elastic") return core::read_fields(table, elastic_fields);
+  if (name == "von-mises") return read_von_mises(table);
+  if (name == "vmdc") return core::read_fields(table, vmdc_fields);
+  if (name == "drucker-prager") return read_drucker_prager(table);
   const std::string start = fmt::format("{} = \"{}\"", core::place(card, "model"), name);
   if (std::find(later_models.begin(), later_models.end(), name) != later_models.end())
     throw core::InvalidInput(
@@ -95,9 +122,7 @@ const Table& needed_section(const Table& card, std::string_view name) {
 void refuse_later_parameters(const Table& table) {
   for (const auto& key : later_parameters)
     if (table.find(key))
-      throw core::InvalidInput(
-          fmt::format("{} is not available yet; leave it out{}", core::place(table, key),
-                      key == "hardening" ? ", the material is then perfectly plastic" : ""));
+      throw core::InvalidInput(fmt::format("{} is not available yet; leave it out", core::place(table, key)));
 }
 
 std::vector<std::pair<std::string, std::string>> read_sources(const Table& table,
@@ -125,11 +150,8 @@ Card read_card(std::string_view what) {
 Card read_card(const Table& table) {
   const Head head = core::read_fields<Head>(table, head_fields, {}, sections);
   const Table& parameter_table = needed_section(table, "parameters");
-  Card card{{head.name, empty_model(table, head.model)}, {}, table.file};
   refuse_later_parameters(parameter_table);
-  card.material.model = with_fields(card.material.model, [&](const auto& fields, const auto& empty) -> Model {
-    return core::read_fields(parameter_table, fields, empty);
-  });
+  Card card{{head.name, read_model(table, head.model, parameter_table)}, {}, table.file};
   if (const Table* source = core::section(table, "source"))
     card.sources = read_sources(*source, parameter_table);
   return card;
@@ -137,20 +159,25 @@ Card read_card(const Table& table) {
 
 std::string card_text(const Material& material) {
   const Head head{1, material.name, std::string(model_name(material.model))};
-  const auto lines = with_fields(
+  auto lines = with_fields(
       material.model, [](const auto& fields, const auto& model) { return core::card_lines(fields, model); });
+  if (const auto* metal = std::get_if<VonMises>(&material.model)) lines += hardening_line(metal->hardening);
   return fmt::format("{}\n[parameters]\n{}", core::card_lines(head_fields, head), lines);
 }
 
 std::string_view model_name(const Model& model) { return model_names[model.index()]; }
 
 std::vector<Parameter> parameters(const Model& model) {
-  return with_fields(model, [](const auto& fields, const auto& m) {
-    std::vector<Parameter> list;
+  std::vector<Parameter> list = with_fields(model, [](const auto& fields, const auto& m) {
+    std::vector<Parameter> values;
     for (const auto& field : fields)
-      list.push_back({field.key, std::get<double>(core::value_of(field, m)), field.meaning});
-    return list;
+      values.push_back({field.key, std::get<double>(core::value_of(field, m)), field.meaning});
+    return values;
   });
+  if (const auto* metal = std::get_if<VonMises>(&model))
+    for (const auto& [key, number] : hardening_numbers(metal->hardening))
+      list.push_back({key, number.first, number.second});
+  return list;
 }
 
 std::string card_reference() {
@@ -158,8 +185,10 @@ std::string card_reference() {
   page += "\n## [parameters] of model = \"elastic\"\n\n" +
           core::reference_table(core::infos<Elastic>(elastic_fields));
   page += "\n## [parameters] of model = \"von-mises\"\n\n" +
-          core::reference_table(core::infos<VonMises>(von_mises_fields));
+          core::reference_table(core::infos<VonMises>(von_mises_fields)) + hardening_reference();
   page += "\n## [parameters] of model = \"vmdc\"\n\n" + core::reference_table(core::infos<Vmdc>(vmdc_fields));
+  page +=
+      "\n## [parameters] of model = \"drucker-prager\"\n\n" + core::reference_table(drucker_prager_infos());
   page += "\n## [source]\n\nText for any key above, or `default`: where its value is from.\n";
   return page;
 }

@@ -11,7 +11,8 @@ double initial_nu(const Model& model) {
 double reference_stress(const Model& model) {
   return std::visit(
       [](const auto& m) {
-        if constexpr (requires { m.sigma_y; }) return m.sigma_y;
+        if constexpr (requires { m.reference_stress(); }) return m.reference_stress();
+        else if constexpr (requires { m.sigma_y; }) return m.sigma_y;
         else return m.E;
       },
       model);

@@ -73,7 +73,13 @@ double stored_energy(const Model& model, TrialInvariants elastic, double phi) {
 }
 
 double plastic_volume_ratio(const Model& model, double phi) {
-  return std::holds_alternative<Vmdc>(model) ? std::exp(-phi) : 1;
+  const bool phi_is_volume = std::visit(
+      []<class M>(const M&) {
+        if constexpr (PlasticModel<M>) return M::phi_rate.v == -1 && M::phi_rate.w == 0;
+        else return false;
+      },
+      model);
+  return phi_is_volume ? std::exp(-phi) : 1;
 }
 
 double relative_density(const Model& model, double phi) {
@@ -82,8 +88,12 @@ double relative_density(const Model& model, double phi) {
 }
 
 Bounds active_bounds(const Model& model, double phi) {
-  const auto* vmdc = std::get_if<Vmdc>(&model);
-  return vmdc ? vmdc->bounds(phi) : Bounds{};
+  return std::visit(
+      [phi](const auto& m) {
+        if constexpr (requires { m.bounds(phi); }) return m.bounds(phi);
+        else return Bounds{};
+      },
+      model);
 }
 
 } // namespace platen::material
