@@ -15,7 +15,7 @@ namespace platen::app {
 namespace {
 
 struct Options {
-  std::string material, folder = "out", variant = "published";
+  std::string material, folder = "out", variant = "published", model;
   press::Case press_case;
   bool json = false;
 };
@@ -28,6 +28,7 @@ std::vector<double> moments(double delta_bar_max) {
 void derive(const Options& o) {
   press::Case c = o.press_case;
   c.material = material::read_card(o.material).material;
+  if (!o.model.empty()) c.material.model = material::run_as(c.material.model, o.model);
   press::validate(c);
   c.fields_at = moments(c.delta_bar_max);
 
@@ -57,6 +58,8 @@ void add_derive(CLI::App& program) {
   command->add_option("MATERIAL", o->material, "material card, or a name in the catalogue")->required();
   command->add_option("-o", o->folder, "folder for the results")->type_name("DIR")->capture_default_str();
   command->add_option("--variant", o->variant, "form of the law")->type_name("V")->capture_default_str();
+  command->add_option("--model", o->model, "run a vmdc or dpc card as vmdc, dpc or von-mises")
+      ->type_name("NAME");
   command->add_option("--radius_m", o->press_case.radius_m, "radius; the law does not depend on it")
       ->type_name("NUMBER")
       ->capture_default_str();

@@ -4,8 +4,10 @@
 #include "core/error.hpp"
 #include "core/fields.hpp"
 #include "core/nearest.hpp"
+#include "core/number.hpp"
 #include "material/drucker_prager_card.hpp"
 #include "material/hardening_card.hpp"
+#include "material/mohr_coulomb_card.hpp"
 
 #include <fmt/format.h>
 
@@ -35,23 +37,24 @@ const std::vector<Field<VonMises>> hardened_fields = {
 
 // Ranges at the reference density (Edmans & Sinka, section 3); their linear laws can leave them for
 // nu and epsilon, as in two rows of their Table 4.
-const std::vector<Field<Vmdc>> vmdc_fields = {
-    {"rho_r0", &Vmdc::rho_r0, "relative density at which the values hold, and of the undeformed particle",
+template <class M>
+const std::vector<Field<M>> porous_fields = {
+    {"rho_r0", &M::rho_r0, "relative density at which the values hold, and of the undeformed particle",
      left_open(0, 1)},
-    {"sigma_y_Pa", &Vmdc::sigma_y, "hydrostatic yield stress in compression", positive},
-    Field<Vmdc>{"E_Pa", &Vmdc::E, "Young's modulus", positive}.or_ratio("E_bar", "sigma_y_Pa"),
-    {"nu", &Vmdc::nu, "Poisson's ratio", right_open(0, 0.5)},
-    Field<Vmdc>{"Gamma_Pa", &Vmdc::Gamma, "shear strength, largest q", positive}.or_ratio("Gamma_bar",
-                                                                                          "sigma_y_Pa"),
-    Field<Vmdc>{"Lambda_Pa", &Vmdc::Lambda, "tensile strength, largest p", positive}.or_ratio("Lambda_bar",
-                                                                                              "sigma_y_Pa"),
-    {"epsilon", &Vmdc::epsilon, "compaction cap: semi-axis along p over semi-axis along q", positive},
-    {"eta", &Vmdc::eta, "exponent of sigma_y over relative density", any_number},
-    {"xi", &Vmdc::xi, "exponent of E", any_number},
-    {"zeta", &Vmdc::zeta, "exponent of Gamma", any_number},
-    {"omega", &Vmdc::omega, "exponent of Lambda", any_number},
-    {"xi_1", &Vmdc::xi_1, "slope of nu over relative density", any_number},
-    {"xi_2", &Vmdc::xi_2, "slope of epsilon over relative density", any_number},
+    {"sigma_y_Pa", &M::sigma_y, "hydrostatic yield stress in compression", positive},
+    Field<M>{"E_Pa", &M::E, "Young's modulus", positive}.or_ratio("E_bar", "sigma_y_Pa"),
+    {"nu", &M::nu, "Poisson's ratio", right_open(0, 0.5)},
+    Field<M>{"Gamma_Pa", &M::Gamma, "shear strength, largest q", positive}.or_ratio("Gamma_bar",
+                                                                                    "sigma_y_Pa"),
+    Field<M>{"Lambda_Pa", &M::Lambda, "tensile strength, largest p", positive}.or_ratio("Lambda_bar",
+                                                                                        "sigma_y_Pa"),
+    {"epsilon", &M::epsilon, "compaction cap: semi-axis along p over semi-axis along q", positive},
+    {"eta", &M::eta, "exponent of sigma_y over relative density", any_number},
+    {"xi", &M::xi, "exponent of E", any_number},
+    {"zeta", &M::zeta, "exponent of Gamma", any_number},
+    {"omega", &M::omega, "exponent of Lambda", any_number},
+    {"xi_1", &M::xi_1, "slope of nu over relative density", any_number},
+    {"xi_2", &M::xi_2, "slope of epsilon over relative density", any_number},
 };
 
 /// The fields of the model's own type, handed to `use`.
@@ -62,8 +65,10 @@ template <class Use> decltype(auto) with_fields(const Model& model, Use use) {
     auto operator()(const VonMises& m) {
       return use_(has_own_yield_stress(m.hardening) ? hardened_fields : von_mises_fields, m);
     }
-    auto operator()(const Vmdc& m) { return use_(vmdc_fields, m); }
+    auto operator()(const Vmdc& m) { return use_(porous_fields<Vmdc>, m); }
     auto operator()(const DruckerPrager& m) { return use_(drucker_prager_fields(), m); }
+    auto operator()(const Dpc& m) { return use_(porous_fields<Dpc>, m); }
+    auto operator()(const MohrCoulomb& m) { return use_(mohr_coulomb_fields(), m); }
   };
   return std::visit(Choose{use}, model);
 }
@@ -84,8 +89,15 @@ VonMises read_von_mises(const Table& table) {
   return m;
 }
 
-const std::vector<std::string> model_names = {"elastic", "von-mises", "vmdc", "drucker-prager"};
-const std::vector<std::string> later_models = {"dpc", "mohr-coulomb"};
+Dpc read_dpc(const Table& table) {
+  const Dpc m = core::read_fields(table, porous_fields<Dpc>);
+  if (m.epsilon * m.Gamma >= m.sigma_y)
+    throw core::InvalidInput(fmt::format(
+        "{}: the cap would begin inside the failure line; epsilon Gamma = {} must be less than sigma_y = {}",
+        core::place(table, "epsilon"), core::number_text(m.epsilon * m.Gamma), core::number_text(m.sigma_y)));
+  return m;
+}
+
 const std::vector<std::string> later_parameters = {"density_kg_per_m3", "tensile_strength_Pa"};
 
 struct Head {
@@ -95,21 +107,20 @@ struct Head {
 const std::vector<Field<Head>> head_fields = {
     {"platen", &Head::platen, "format of the card", closed(1, 1)},
     {"name", &Head::name, "name of the material, for people"},
-    {"model", &Head::model, "elastic, von-mises, vmdc or drucker-prager"},
+    {"model", &Head::model, "elastic, von-mises, vmdc, dpc, drucker-prager or mohr-coulomb"},
 };
 const std::vector<std::string> sections = {"parameters", "source"};
 
 Model read_model(const Table& card, const std::string& name, const Table& table) {
   if (name == "elastic") return core::read_fields(table, elastic_fields);
   if (name == "von-mises") return read_von_mises(table);
-  if (name == "vmdc") return core::read_fields(table, vmdc_fields);
+  if (name == "vmdc") return core::read_fields(table, porous_fields<Vmdc>);
   if (name == "drucker-prager") return read_drucker_prager(table);
-  const std::string start = fmt::format("{} = \"{}\"", core::place(card, "model"), name);
-  if (std::find(later_models.begin(), later_models.end(), name) != later_models.end())
-    throw core::InvalidInput(
-        fmt::format("{} is not available yet; available are: {}", start, fmt::join(model_names, ", ")));
-  throw core::InvalidInput(
-      fmt::format("{}: there is no such model{}", start, core::suggestion(name, model_names)));
+  if (name == "dpc") return read_dpc(table);
+  if (name == "mohr-coulomb") return read_mohr_coulomb(table);
+  const std::vector<std::string> names(model_names.begin(), model_names.end());
+  throw core::InvalidInput(fmt::format("{} = \"{}\": there is no such model{}", core::place(card, "model"),
+                                       name, core::suggestion(name, names)));
 }
 
 const Table& needed_section(const Table& card, std::string_view name) {
@@ -165,8 +176,6 @@ std::string card_text(const Material& material) {
   return fmt::format("{}\n[parameters]\n{}", core::card_lines(head_fields, head), lines);
 }
 
-std::string_view model_name(const Model& model) { return model_names[model.index()]; }
-
 std::vector<Parameter> parameters(const Model& model) {
   std::vector<Parameter> list = with_fields(model, [](const auto& fields, const auto& m) {
     std::vector<Parameter> values;
@@ -182,13 +191,19 @@ std::vector<Parameter> parameters(const Model& model) {
 
 std::string card_reference() {
   std::string page = "# Material card\n\n" + core::reference_table(core::infos<Head>(head_fields));
-  page += "\n## [parameters] of model = \"elastic\"\n\n" +
-          core::reference_table(core::infos<Elastic>(elastic_fields));
-  page += "\n## [parameters] of model = \"von-mises\"\n\n" +
-          core::reference_table(core::infos<VonMises>(von_mises_fields)) + hardening_reference();
-  page += "\n## [parameters] of model = \"vmdc\"\n\n" + core::reference_table(core::infos<Vmdc>(vmdc_fields));
-  page +=
-      "\n## [parameters] of model = \"drucker-prager\"\n\n" + core::reference_table(drucker_prager_infos());
+  const auto section = [&](const char* model, const std::vector<core::FieldInfo>& fields) {
+    page += fmt::format("\n## [parameters] of model = \"{}\"\n\n{}", model, core::reference_table(fields));
+  };
+  section("elastic", core::infos<Elastic>(elastic_fields));
+  section("von-mises", core::infos<VonMises>(von_mises_fields));
+  page += hardening_reference();
+  section("vmdc", core::infos<Vmdc>(porous_fields<Vmdc>));
+  section("dpc", core::infos<Dpc>(porous_fields<Dpc>));
+  page += "\nepsilon Gamma must be less than sigma_y.\n";
+  section("drucker-prager", drucker_prager_infos());
+  page += "\nExactly one of beta_deg + sigma_c_Pa, phi_deg + sigma_c_Pa, phi_deg + cohesion_Pa.\n";
+  section("mohr-coulomb", mohr_coulomb_infos());
+  page += "\nExactly one of cohesion_Pa and sigma_c_Pa.\n";
   page += "\n## [source]\n\nText for any key above, or `default`: where its value is from.\n";
   return page;
 }

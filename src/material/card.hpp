@@ -27,9 +27,6 @@ Card read_card(const core::Table&);
 /// The material as the text of a card, every number in SI units.
 std::string card_text(const Material&);
 
-/// "vmdc", "von-mises", ...: how cards name the model.
-std::string_view model_name(const Model&);
-
 /// Every parameter of the model: key, value in SI units, meaning.
 struct Parameter {
   std::string key;

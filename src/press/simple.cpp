@@ -157,6 +157,16 @@ class Press {
     std::snprintf(text, sizeof text, "stopped at delta_bar = %.5g: %s, also in steps of %.0e", delta_bar,
                   why.c_str(), step_min);
     result.failure = text;
+    // A particle that flows as a whole has nothing left to carry more with.
+    const CurvePoint& row = run.row();
+    if (row.zone_elastic < 0.1) {
+      std::snprintf(text, sizeof text,
+                    "; %.0f %% of the volume flows there, %.0f %% in shear or tension: the particle has come "
+                    "to its limit "
+                    "load",
+                    100 * (1 - row.zone_elastic), 100 * (row.zone_shear + row.zone_tension));
+      *result.failure += text;
+    }
   }
 
   const Case& press_case;

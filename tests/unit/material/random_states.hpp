@@ -44,6 +44,13 @@ inline std::vector<DruckerPrager> rocks() {
       {1000, 0.2, beta, 1, beta}, {1000, 0.2, beta, 1, 10}, {1000, 0.2, beta, 1, 0}, {1000, 0.2, 5, 1, 5}};
 }
 
+/// Drucker-Prager Caps through the points of the corner materials whose cap is shorter than sigma_y.
+inline std::vector<Dpc> caps() {
+  std::vector<Dpc> all;
+  for (const auto& m : corner_materials()) all.push_back(Dpc::through(m));
+  return all;
+}
+
 struct Trial {
   std::array<double, 3> eps;
   double phi;

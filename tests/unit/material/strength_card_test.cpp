@@ -127,3 +127,44 @@ TEST(DruckerPragerCard, RefusesWhatIsNoFriction) {
   refuses("drucker-prager", rock + "phi_deg = 27\nsigma_c_Pa = 1e6\npsi_deg = 60",
           "exceeds the friction angle");
 }
+
+TEST(MohrCoulombCard, IsGivenByCohesionOrStrength) {
+  const std::string cut = "phi_deg = 27.8\ntension_cutoff_Pa = 1e6\n";
+  const auto by_cohesion =
+      std::get<MohrCoulomb>(read("mohr-coulomb", rock + cut + "cohesion_Pa = 3.2e6").model);
+  const auto by_strength =
+      std::get<MohrCoulomb>(read("mohr-coulomb", rock + cut + "sigma_c_Pa = 10.61e6").model);
+  EXPECT_NEAR(by_strength.cohesion, by_cohesion.cohesion, 0.005e6); // WG section 3.4 prints 3.2 MPa
+  EXPECT_EQ(by_cohesion.psi_deg, 27.8);
+}
+
+TEST(MohrCoulombCard, RefusesWhatIsNoFriction) {
+  const std::string cut = rock + "tension_cutoff_Pa = 1e6\n";
+  refuses("mohr-coulomb", cut + "phi_deg = 90\ncohesion_Pa = 3.2e6", "in [0, 90)");
+  refuses("mohr-coulomb", cut + "phi_deg = 27.8", "exactly one of");
+  refuses("mohr-coulomb", cut + "phi_deg = 27.8\ncohesion_Pa = 3.2e6\nsigma_c_Pa = 1e7", "exactly one of");
+  refuses("mohr-coulomb", cut + "phi_deg = 27.8\ncohesion_Pa = 3.2e6\npsi_deg = 30", "exceeds phi_deg");
+  refuses("mohr-coulomb", rock + "phi_deg = 27.8\ncohesion_Pa = 3.2e6\ntension_cutoff_Pa = 7e6",
+          "not below the apex");
+}
+
+TEST(DpcCard, RefusesACapInsideItsFailureLine) {
+  const std::string card = card_text(read_card("base-case").material);
+  const auto at = card.find("[parameters]");
+  std::string lines = card.substr(at + 13);
+  EXPECT_TRUE(std::holds_alternative<Dpc>(read("dpc", lines).model));
+  lines.replace(lines.find("epsilon = 0.7"), 13, "epsilon = 1.0");
+  refuses("dpc", lines, "inside the failure line");
+}
+
+TEST(RunAs, TurnsAPorousMaterialIntoItsEquivalents) {
+  const auto base = read_card("base-case").material;
+  EXPECT_EQ(model_name(run_as(base.model, "dpc")), "dpc");
+  EXPECT_EQ(model_name(run_as(run_as(base.model, "dpc"), "vmdc")), "vmdc");
+  EXPECT_EQ(std::get<VonMises>(run_as(base.model, "von-mises")).sigma_y, 150e6);
+  EXPECT_THROW((void)run_as(base.model, "drucker-prager"), core::InvalidInput);
+  EXPECT_THROW((void)run_as(VonMises{1, 0.3, 1}, "dpc"), core::InvalidInput);
+  auto blunt = std::get<Vmdc>(base.model);
+  blunt.epsilon = 1;
+  EXPECT_THROW((void)run_as(blunt, "dpc"), core::InvalidInput);
+}
