@@ -35,8 +35,12 @@ enum class Status : unsigned char {
   elastic,
   plastic,   ///< Newton converged
   bracketed, ///< the bracketing fall-back was needed
-  refused    ///< no admissible state was found: cut the step
+  refused,   ///< no admissible state was found: cut the step
+  unstable   ///< refused as well: densification raises the elastic stress faster than the surface gives way
 };
+
+/// Whether the update has no state to give.
+constexpr bool is_refused(Status status) { return status >= Status::refused; }
 
 /// The state after the increment, and the consistent tangent d(p, q)/d(eps_v^tr, eps_q^tr).
 struct InvariantResponse {
@@ -178,6 +182,20 @@ bool bracketed_start(const M& model, TrialInvariants trial, double phi_n, std::a
   return true;
 }
 
+/// The determinant of the return over that with moduli and surface frozen. In isotropic compression it is 1 +
+/// (|p|/K)(d(ln sigma_y)/d(phi) - d(ln K)/d(phi)), but for the elastic volume change. Where it is not
+/// positive, a further compaction by plastic flow would raise the elastic pressure faster than the strength:
+/// the root is no state that a compression leads to.
+inline double densification_margin(const Return& e, TrialInvariants trial, double unit) {
+  const auto& [K, G, K_phi, G_phi] = e.moduli;
+  const SurfacePoint& f = e.at;
+  const double dv = trial.eps_v - e.eps_v, dw = trial.eps_q - e.eps_q;
+  const Inverse3 frozen({{{-f.p_s * unit, -K * (1 - e.eps_v) * e.exp_v * unit, 0},
+                          {-f.q_s * unit, 3 * G * e.eps_q * e.exp_v * unit, -3 * G * e.exp_v * unit},
+                          {f.n_q_s * dv - f.n_p_s * dw, f.n_q, -f.n_p}}});
+  return Inverse3(e.J).det / frozen.det;
+}
+
 } // namespace detail
 
 /// Relative residual of the local equations at which a return counts as converged. Newton is quadratic there,
@@ -273,6 +291,8 @@ template <PlasticModel M>
   const detail::Inverse3 inverse(e.J);
   if (!(std::abs(inverse.det) > 0)) return u.status = Status::refused, u;
   const double unit = 1 / stress_unit;
+  if (e.zone == Zone::compaction && detail::densification_margin(e, trial, unit) <= 0)
+    return u.status = Status::unstable, u;
   const auto by_v = inverse.solve({-e.moduli.K * (1 - e.eps_v) * e.exp_v * unit, u.q * unit, 0});
   const auto by_q = inverse.solve({0, -3 * e.moduli.G * e.exp_v * unit, 0});
   constexpr PhiRate rate = M::phi_rate;

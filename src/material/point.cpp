@@ -6,15 +6,17 @@
 
 namespace platen::material {
 
-MaterialPoint strained(const Model& model, const MaterialPoint& from,
-                       const std::array<double, 3>& increment) {
+MaterialPoint strained(const Model& model, const MaterialPoint& from, const std::array<double, 3>& increment,
+                       ModuliScheme scheme) {
   MaterialPoint to = from;
   std::array<double, 3> trial = from.elastic;
   for (int A = 0; A < 3; ++A) {
     trial[A] += increment[A];
     to.total[A] += increment[A];
   }
-  if (update(model, {&trial, 1}, {&from.phi, 1}, {&to.last, 1}).refused > 0) return to;
+  if (scheme == ModuliScheme::after_step) to.last = update_with_old_moduli(model, trial, from.phi);
+  else (void)update(model, {&trial, 1}, {&from.phi, 1}, {&to.last, 1});
+  if (is_refused(to.last.status)) return to;
   to.elastic = to.last.eps;
   to.phi = to.last.phi;
   return to;
@@ -23,7 +25,7 @@ MaterialPoint strained(const Model& model, const MaterialPoint& from,
 // Newton kept inside a bracket: the lateral stress rises with the lateral strain, but not everywhere at a
 // rate worth following (at an apex it does not rise at all).
 MaterialPoint strained_axially(const Model& model, const MaterialPoint& from, double increment,
-                               double lateral) {
+                               double lateral, ModuliScheme scheme) {
   constexpr int iterations_max = 200;
   constexpr double strain_tolerance = 1e-15; // rounding of the strains themselves
   const double E = initial_E(model), nu = initial_nu(model);
@@ -32,8 +34,8 @@ MaterialPoint strained_axially(const Model& model, const MaterialPoint& from, do
   double x = -nu * increment;
   MaterialPoint to;
   for (int i = 0; i < iterations_max; ++i) {
-    to = strained(model, from, {increment, x, x});
-    if (to.last.status == Status::refused) return to;
+    to = strained(model, from, {increment, x, x}, scheme);
+    if (is_refused(to.last.status)) return to;
     const double gap = to.last.sigma[1] - lateral, slope = to.last.D[1][1] + to.last.D[1][2];
     if (std::abs(gap) <= strain_tolerance * slope) return to;
     (gap > 0 ? high : low) = x;

@@ -69,6 +69,15 @@ void finish(const std::array<double, 3>& eps_trial, double phi_n, const Principa
   out.zone = u.zone;
 }
 
+/// A model whose moduli stay what they are during the step.
+template <class M> struct WithOldModuli {
+  const M& model;
+  Moduli old;
+  static constexpr PhiRate phi_rate = M::phi_rate;
+  Moduli moduli(double) const { return old; }
+  auto surface(double phi) const { return model.surface(phi); }
+};
+
 } // namespace
 
 TrialInvariants invariants(const std::array<double, 3>& eps) {
@@ -88,11 +97,26 @@ UpdateCounts update(const Model& model, std::span<const std::array<double, 3>> e
           const Status status = out[i].status;
           counts.plastic += status == Status::plastic || status == Status::bracketed;
           counts.bracketed += status == Status::bracketed;
-          counts.refused += status == Status::refused;
+          counts.refused += is_refused(status);
+          counts.unstable += status == Status::unstable;
         }
       },
       model);
   return counts;
+}
+
+PointUpdate update_with_old_moduli(const Model& model, const std::array<double, 3>& eps_trial, double phi_n) {
+  PointUpdate out{};
+  std::visit(
+      [&]<class M>(const M& m) {
+        if constexpr (PlasticModel<M>) {
+          const Moduli now = m.moduli(phi_n);
+          const WithOldModuli<M> lagging{m, {now.K, now.G}};
+          finish(eps_trial, phi_n, respond(lagging, eps_trial, phi_n), out);
+        } else finish(eps_trial, phi_n, respond(m, eps_trial, phi_n), out);
+      },
+      model);
+  return out;
 }
 
 double stored_energy(const Model& model, TrialInvariants elastic, double phi) {

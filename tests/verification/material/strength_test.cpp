@@ -22,7 +22,7 @@ struct Triaxial {
   const PointUpdate& last() const { return point.last; }
   void strain_by(double increment) {
     point = strained_axially(model, point, increment, lateral);
-    ASSERT_NE(point.last.status, Status::refused);
+    ASSERT_FALSE(is_refused(point.last.status));
   }
 };
 
