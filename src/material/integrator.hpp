@@ -19,6 +19,7 @@
 
 #include "material/plasticity.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -196,6 +197,19 @@ inline double densification_margin(const Return& e, TrialInvariants trial, doubl
   return Inverse3(e.J).det / frozen.det;
 }
 
+/// The same at the beginning of plastic flow, on the surface at phi_n near the place s.
+template <PlasticModel M>
+double densification_margin(const M& model, double phi_n, double s, double stress_unit) {
+  const Moduli m = model.moduli(phi_n);
+  const auto surface = model.surface(phi_n);
+  const double at = std::min(std::max(s, surface.s_min()), surface.s_max());
+  const SurfacePoint f = surface.at(at);
+  const double eps_v = volumetric_strain(f.p, m.K);
+  const TrialInvariants yielding{eps_v, f.q / (3 * m.G) * std::exp(eps_v)};
+  return densification_margin(evaluate_return(model, yielding, phi_n, stress_unit, {at, 0, 0}), yielding,
+                              1 / stress_unit);
+}
+
 } // namespace detail
 
 /// Relative residual of the local equations at which a return counts as converged. Newton is quadratic there,
@@ -273,13 +287,23 @@ template <PlasticModel M>
     const double J_e = std::min(std::exp(trial.eps_v), 2.0);
     return std::array{s, trial.eps_v - f.p / m_n.K, trial.eps_q - f.q * J_e / (3 * m_n.G)};
   };
+  // Where the first densification outruns the surface there is no root nearby; one far away is no state that
+  // this strain leads to.
+  const auto start = guess();
+  const auto outrun = [&] {
+    return surface_n.zone(start[0]) == Zone::compaction &&
+           detail::densification_margin(model, phi_n, start[0], stress_unit) <= 0;
+  };
   u.status = Status::plastic;
-  if (!solved_from(guess()) && !solved_from(detail::frozen_return(model, trial, phi_n, 30))) {
+  if (!solved_from(start) && !solved_from(detail::frozen_return(model, trial, phi_n, 30))) {
     u.status = Status::bracketed;
     std::array<double, 3> x;
+    if (outrun()) return u.status = Status::unstable, u;
     if (!detail::bracketed_start(model, trial, phi_n, x) || !solved_from(x))
       return u.status = Status::refused, u;
   }
+  if (e.zone == Zone::compaction && std::abs(trial.eps_v - e.eps_v) > 2 * std::abs(start[1]) && outrun())
+    return u.status = Status::unstable, u;
 
   u.p = e.moduli.K * e.eps_v * e.exp_v;
   u.q = 3 * e.moduli.G * e.eps_q * e.exp_v;
