@@ -1,5 +1,6 @@
 #include "fe/axisymmetric.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <numbers>
@@ -15,28 +16,13 @@ double seconds_since(Clock::time_point start) {
 constexpr double gauss = 0.57735026918962576451; // 1/sqrt(3)
 constexpr std::array<std::array<double, 2>, 4> corners{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
 
-std::array<int, 8> unknowns_of(const std::array<int, 4>& quad) {
-  std::array<int, 8> u;
-  for (int a = 0; a < 4; ++a) u[2 * a] = 2 * quad[a], u[2 * a + 1] = 2 * quad[a] + 1;
-  return u;
-}
-
-Pattern pattern_of_quads(const AxisymmetricMesh& mesh) {
-  std::vector<std::vector<int>> elements;
-  for (const auto& quad : mesh.quads) {
-    const auto u = unknowns_of(quad);
-    elements.emplace_back(u.begin(), u.end());
-  }
-  return pattern_of(2 * static_cast<int>(mesh.nodes.size()), elements);
-}
-
 } // namespace
 
 AxisymmetricSolid::AxisymmetricSolid(AxisymmetricMesh mesh_, material::Model model_)
-    : mesh(std::move(mesh_)), model(std::move(model_)), pattern(pattern_of_quads(mesh)), committed(points()),
-      force(unknowns()), tangent(pattern.column.size()), updates(points()), volume(points()),
-      shapes(points()), kinematics(points()), element_J(mesh.quads.size()), element_volume(mesh.quads.size()),
-      eps_trial(points()), phi_n(points()), scatter(mesh.quads.size()) {
+    : mesh(std::move(mesh_)), model(std::move(model_)), committed(points()), force(unknowns()),
+      tangent(64 * mesh.quads.size()), updates(points()), volume(points()), shapes(points()),
+      kinematics(points()), element_J(mesh.quads.size()), element_volume(mesh.quads.size()),
+      eps_trial(points()), phi_n(points()) {
   for (std::size_t e = 0; e < mesh.quads.size(); ++e) {
     const auto& quad = mesh.quads[e];
     for (int g = 0; g < 4; ++g) {
@@ -63,10 +49,16 @@ AxisymmetricSolid::AxisymmetricSolid(AxisymmetricMesh mesh_, material::Model mod
       volume[4 * e + g] = 2 * std::numbers::pi * R * det;
       element_volume[e] += volume[4 * e + g];
     }
-    const auto u = unknowns_of(quad);
-    for (int i = 0; i < 8; ++i)
-      for (int j = 0; j < 8; ++j) scatter[e][8 * i + j] = pattern.find(u[i], u[j]);
   }
+}
+
+std::array<int, 8> AxisymmetricSolid::unknowns_of(int element) const {
+  std::array<int, 8> u;
+  for (int a = 0; a < 4; ++a) {
+    u[2 * a] = 2 * mesh.quads[element][a];
+    u[2 * a + 1] = u[2 * a] + 1;
+  }
+  return u;
 }
 
 Evaluation AxisymmetricSolid::evaluate(std::span<const double> u) {
@@ -146,7 +138,6 @@ bool AxisymmetricSolid::deform(std::span<const double> u) {
 
 void AxisymmetricSolid::assemble() {
   std::fill(force.begin(), force.end(), 0.0);
-  std::fill(tangent.begin(), tangent.end(), 0.0);
   for (int e = 0; e < static_cast<int>(mesh.quads.size()); ++e) assemble_element(e);
 }
 
@@ -157,9 +148,13 @@ void AxisymmetricSolid::assemble() {
 //            + P [(1/v) int (tr l tr l - tr(l l)) dv - b b],  P = int tau_m dV,  lbar_AA = l_AA + (b - tr
 //            l)/3
 void AxisymmetricSolid::assemble_element(int e) {
-  const auto u = unknowns_of(mesh.quads[e]);
+  const auto u = unknowns_of(e);
   const double J_bar = element_J[e], v = J_bar * element_volume[e];
-  double tr[4][8], b[8] = {}, P = 0, f[8] = {}, K[8][8] = {};
+  double tr[4][8], b[8] = {}, P = 0, f[8] = {};
+  // The matrix is a sum of products of a vector with a transposed vector: nine a Gauss point, and the mean
+  // dilatation's own.
+  constexpr int terms = 9 * 4 + 1;
+  double left[terms][8], right[terms][8];
   for (int g = 0; g < 4; ++g) {
     const Kinematics& k = kinematics[4 * e + g];
     const double dv = volume[4 * e + g] * k.J / v;
@@ -196,28 +191,34 @@ void AxisymmetricSolid::assemble_element(int e) {
                                                : (C[0][0] - C[0][1] - C[1][0] + C[1][1]) / (4 * k.b_1);
     const double beta_1 = slope * k.b_2, beta_2 = slope * k.b_1;
     const double dv = w * k.J / v * P; // weight of the second derivative of ln J_bar
-    double lbar[3][8];
+    const double m = tau_m - dv;       // tr(l l) of the mean stress, less that of the second derivative
+    auto *const L = &left[9 * g], *const R = &right[9 * g];
     for (int i = 0; i < 8; ++i) {
       const double third = (b[i] - tr[g][i]) / 3;
-      lbar[0][i] = l11[i] + third, lbar[1][i] = l22[i] + third, lbar[2][i] = ltt[i] + third;
+      const double bar[3] = {l11[i] + third, l22[i] + third, ltt[i] + third}, shear = l12[i] + l21[i];
       f[i] += tau[0] * l11[i] + tau[1] * l22[i] + tau[2] * ltt[i] + 3 * tau_m * third;
-    }
-    for (int i = 0; i < 8; ++i) {
-      double c[3];
-      for (int B = 0; B < 3; ++B) c[B] = lbar[0][i] * C[0][B] + lbar[1][i] * C[1][B] + lbar[2][i] * C[2][B];
-      const double shear = l12[i] + l21[i], volume_term = dv * tr[g][i];
-      const double m = tau_m - dv; // tr(l l) of the mean stress, less that of the second derivative
-      const double a11 = (m - tau[0]) * l11[i], a22 = (m - tau[1]) * l22[i], att = (m - tau[2]) * ltt[i];
-      const double to_12 = shear * beta_1 + (m - tau[1]) * l21[i],
-                   to_21 = shear * beta_2 + (m - tau[0]) * l12[i];
-      for (int j = 0; j < 8; ++j)
-        K[i][j] += c[0] * lbar[0][j] + c[1] * lbar[1][j] + c[2] * lbar[2][j] + a11 * l11[j] + a22 * l22[j] +
-                   att * ltt[j] + to_12 * l12[j] + to_21 * l21[j] + volume_term * tr[g][j];
+      for (int B = 0; B < 3; ++B) {
+        L[B][i] = bar[0] * C[0][B] + bar[1] * C[1][B] + bar[2] * C[2][B];
+        R[B][i] = bar[B];
+      }
+      L[3][i] = (m - tau[0]) * l11[i], R[3][i] = l11[i];
+      L[4][i] = (m - tau[1]) * l22[i], R[4][i] = l22[i];
+      L[5][i] = (m - tau[2]) * ltt[i], R[5][i] = ltt[i];
+      L[6][i] = shear * beta_1 + (m - tau[1]) * l21[i], R[6][i] = l12[i];
+      L[7][i] = shear * beta_2 + (m - tau[0]) * l12[i], R[7][i] = l21[i];
+      L[8][i] = dv * tr[g][i], R[8][i] = tr[g][i];
     }
   }
   for (int i = 0; i < 8; ++i) {
     force[u[i]] += f[i];
-    for (int j = 0; j < 8; ++j) tangent[scatter[e][8 * i + j]] += K[i][j] - P * b[i] * b[j];
+    left[terms - 1][i] = -P * b[i];
+    right[terms - 1][i] = b[i];
+  }
+  for (int j = 0; j < 8; ++j) {
+    double column[8] = {};
+    for (int t = 0; t < terms; ++t)
+      for (int i = 0; i < 8; ++i) column[i] += right[t][j] * left[t][i];
+    std::copy(column, column + 8, &tangent[64 * e + 8 * j]);
   }
 }
 

@@ -7,7 +7,6 @@
 // element balances energy by itself. Gauss points keep C_p^{-1}, so that b_e^tr = F_bar C_p^{-1} F_bar^T.
 
 #include "fe/quarter_disc.hpp"
-#include "fe/sparse.hpp"
 #include "material/update.hpp"
 
 #include <array>
@@ -34,6 +33,8 @@ class AxisymmetricSolid {
   AxisymmetricSolid(AxisymmetricMesh, material::Model);
 
   int unknowns() const { return 2 * static_cast<int>(mesh.nodes.size()); }
+  /// Unknowns of an element, in the order of its matrix: r and z of its four nodes.
+  std::array<int, 8> unknowns_of(int element) const;
   int points() const { return 4 * static_cast<int>(mesh.quads.size()); }
 
   /// Internal forces (2 pi included, unit R0^2 Pa) and tangent at displacements u (r and z of each node, in
@@ -45,11 +46,10 @@ class AxisymmetricSolid {
 
   const AxisymmetricMesh mesh;
   const material::Model model;
-  const Pattern pattern;
   std::vector<PointState> committed;
 
   std::vector<double> force;                  ///< internal force per unknown
-  std::vector<double> tangent;                ///< in the order of pattern
+  std::vector<double> tangent;                ///< element matrices, 8x8, by columns (DirectSolver)
   std::vector<material::PointUpdate> updates; ///< per Gauss point, four an element
   std::vector<double> volume;                 ///< reference volume per Gauss point, 2 pi included (R0^3)
   material::UpdateCounts counts;              ///< accumulated
@@ -82,7 +82,6 @@ class AxisymmetricSolid {
   std::vector<double> element_volume; ///< reference volume
   std::vector<std::array<double, 3>> eps_trial;
   std::vector<double> phi_n;
-  std::vector<std::array<int, 64>> scatter; ///< positions of the element matrices in the tangent
 };
 
 } // namespace platen::fe

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 namespace platen::fe {
@@ -42,13 +43,39 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
   return sum;
 }
 
+std::vector<std::vector<int>> element_unknowns(const AxisymmetricSolid& solid) {
+  std::vector<std::vector<int>> lists;
+  for (int e = 0; e < static_cast<int>(solid.mesh.quads.size()); ++e) {
+    const auto list = solid.unknowns_of(e);
+    lists.emplace_back(list.begin(), list.end());
+  }
+  return lists;
+}
+
+/// The element that has both nodes, and their places in it.
+EdgeElement element_at(const AxisymmetricMesh& mesh, int a, int b) {
+  for (int e = 0; e < static_cast<int>(mesh.quads.size()); ++e) {
+    const auto& quad = mesh.quads[e];
+    const auto at_a = std::find(quad.begin(), quad.end(), a), at_b = std::find(quad.begin(), quad.end(), b);
+    if (at_a != quad.end() && at_b != quad.end())
+      return {e, {static_cast<int>(at_a - quad.begin()), static_cast<int>(at_b - quad.begin())}};
+  }
+  throw std::logic_error("a surface edge without element");
+}
+
 } // namespace
 
 PlaneContact::PlaneContact(AxisymmetricSolid& solid_, NewtonSettings settings_)
     : u(solid_.unknowns(), 0.0), solid(solid_), settings(settings_),
-      solver(solid_.pattern, Symmetry::unsymmetric, Ordering::amf), fixed(solid_.unknowns(), 0) {
+      solver(solid_.unknowns(), element_unknowns(solid_), Symmetry::unsymmetric),
+      fixed(solid_.unknowns(), 0) {
   for (const int node : solid.mesh.axis) fixed[2 * node] = 1;
   for (const int node : solid.mesh.equator) fixed[2 * node + 1] = 1;
+  for (int e = 0; e < static_cast<int>(solid.mesh.quads.size()); ++e) {
+    const auto unknowns = solid.unknowns_of(e);
+    for (int i = 0; i < 8; ++i)
+      if (fixed[unknowns[i]]) fixed_in_elements.push_back({e, i});
+  }
   // To begin with: Hertz's mean pressure at a contact radius of `pole`.
   const double E = material::initial_E(solid.model), nu = material::initial_nu(solid.model);
   pressure_scale = 4 / (3 * std::numbers::pi) * E / (1 - nu * nu) * pole;
@@ -68,9 +95,7 @@ PlaneContact::PlaneContact(AxisymmetricSolid& solid_, NewtonSettings settings_)
                    2 * std::numbers::pi * std::sin(angle) * h * gauss_w[i] / 2,
                    relative_penetration * distance * distance};
     }
-    const int a = 2 * surface[s] + 1, b = 2 * surface[s + 1] + 1;
-    scatter.push_back({solid.pattern.find(a, a), solid.pattern.find(a, b), solid.pattern.find(b, a),
-                       solid.pattern.find(b, b)});
+    edge_elements.push_back(element_at(solid.mesh, surface[s], surface[s + 1]));
   }
 }
 
@@ -110,8 +135,11 @@ Evaluation PlaneContact::evaluate(const std::vector<double>& x, Residual& residu
       const double stiffness = pressure_scale / point.flexibility * point.area;
       for (int k = 0; k < 2; ++k) {
         solid.force[2 * surface[e + k] + 1] -= stiffness * gap * point.N[k];
-        for (int l = 0; l < 2; ++l)
-          solid.tangent[scatter[e][2 * k + l]] += stiffness * point.N[k] * point.N[l];
+        for (int l = 0; l < 2; ++l) {
+          const auto& [element, corner] = edge_elements[e];
+          solid.tangent[64 * element + 8 * (2 * corner[l] + 1) + 2 * corner[k] + 1] +=
+              stiffness * point.N[k] * point.N[l];
+        }
       }
     }
   double free = 0, reaction = 0;
@@ -125,10 +153,9 @@ Evaluation PlaneContact::evaluate(const std::vector<double>& x, Residual& residu
 
 /// Newton correction of the free unknowns. False where the tangent is singular.
 bool PlaneContact::correct(std::vector<double>& correction) {
-  const Pattern& pattern = solid.pattern;
-  for (int i = 0; i < pattern.n; ++i)
-    for (int k = pattern.row_start[i]; k < pattern.row_start[i + 1]; ++k)
-      if (const int j = pattern.column[k]; i != j && (fixed[i] || fixed[j])) solid.tangent[k] = 0;
+  for (const auto& [element, i] : fixed_in_elements)
+    for (int j = 0; j < 8; ++j)
+      if (j != i) solid.tangent[64 * element + 8 * i + j] = solid.tangent[64 * element + 8 * j + i] = 0;
   {
     Stopwatch watch(solid.times.factorisation_s);
     if (!solver.factorise(solid.tangent)) return false;

@@ -9,6 +9,7 @@
 // 0.2 % of the delta at which the contact gets there.
 
 #include "fe/axisymmetric.hpp"
+#include "fe/sparse.hpp"
 
 #include <string>
 #include <vector>
@@ -16,7 +17,7 @@
 namespace platen::fe {
 
 struct NewtonSettings {
-  double relative_residual_tolerance = 1e-6; ///< of the free unknowns, relative to the reactions
+  double relative_residual_tolerance = 1e-3; ///< of the free unknowns, relative to the reactions
   int iterations_max = 25;
 };
 
@@ -36,6 +37,12 @@ struct Contact {
   double radius = 0;        ///< R0, located inside an edge
   double peak_pressure = 0; ///< mean over an edge (Pa)
   double energy = 0;        ///< of the penetration (R0^3 Pa)
+};
+
+/// The element under an edge of the surface.
+struct EdgeElement {
+  int element;
+  std::array<int, 2> corner; ///< places of the edge's nodes in the element
 };
 
 class PlaneContact {
@@ -74,9 +81,10 @@ class PlaneContact {
   AxisymmetricSolid& solid;
   NewtonSettings settings;
   DirectSolver solver;
-  std::vector<char> fixed; ///< unknowns on the axis and the equator
+  std::vector<char> fixed;                           ///< unknowns on the axis and the equator
+  std::vector<std::array<int, 2>> fixed_in_elements; ///< an element with one of them, its row there
   std::vector<std::array<EdgePoint, points_per_edge>> edges;
-  std::vector<std::array<int, 4>> scatter; ///< of the 2x2 edge matrices
+  std::vector<EdgeElement> edge_elements;
   double height = 1;
   double pressure_scale; ///< highest mean pressure met so far (Pa)
 };

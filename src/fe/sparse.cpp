@@ -11,30 +11,10 @@ extern "C" void openblas_set_num_threads(int) __attribute__((weak));
 
 namespace platen::fe {
 
-int Pattern::find(int i, int j) const {
-  const auto begin = column.begin() + row_start[i], end = column.begin() + row_start[i + 1];
-  return static_cast<int>(std::lower_bound(begin, end, j) - column.begin());
-}
-
-Pattern pattern_of(int unknowns, std::span<const std::vector<int>> element_unknowns) {
-  std::vector<std::vector<int>> rows(unknowns);
-  for (const auto& element : element_unknowns)
-    for (const int i : element) rows[i].insert(rows[i].end(), element.begin(), element.end());
-  Pattern pattern{unknowns, {0}, {}};
-  for (auto& row : rows) {
-    std::sort(row.begin(), row.end());
-    row.erase(std::unique(row.begin(), row.end()), row.end());
-    pattern.column.insert(pattern.column.end(), row.begin(), row.end());
-    pattern.row_start.push_back(static_cast<int>(pattern.column.size()));
-  }
-  return pattern;
-}
-
 struct DirectSolver::Mumps {
   DMUMPS_STRUC_C id{};
-  std::vector<int> irn, jcn;
+  std::vector<int> start{1}, variable; ///< of the elements, numbered from 1
   std::vector<double> a;
-  std::vector<int> taken; ///< positions in the pattern that MUMPS sees: all, or the lower triangle
 };
 
 namespace {
@@ -44,33 +24,33 @@ void run(DMUMPS_STRUC_C& id, int job) {
 }
 } // namespace
 
-DirectSolver::DirectSolver(const Pattern& pattern, Symmetry symmetry, Ordering ordering)
+DirectSolver::DirectSolver(int unknowns, std::span<const std::vector<int>> element_unknowns,
+                           Symmetry symmetry)
     : mumps(std::make_unique<Mumps>()) {
   if (openblas_set_num_threads) openblas_set_num_threads(1);
   Mumps& m = *mumps;
-  const bool symmetric = symmetry == Symmetry::general_symmetric;
-  for (int i = 0; i < pattern.n; ++i)
-    for (int k = pattern.row_start[i]; k < pattern.row_start[i + 1]; ++k)
-      if (const int j = pattern.column[k]; !symmetric || j <= i) {
-        m.irn.push_back(i + 1);
-        m.jcn.push_back(j + 1);
-        m.taken.push_back(k);
-      }
-  m.a.resize(m.irn.size());
+  std::size_t entries = 0;
+  for (const auto& element : element_unknowns) {
+    for (const int i : element) m.variable.push_back(i + 1);
+    m.start.push_back(static_cast<int>(m.variable.size()) + 1);
+    const std::size_t n = element.size();
+    entries += symmetry == Symmetry::unsymmetric ? n * n : n * (n + 1) / 2;
+  }
+  m.a.resize(entries);
   m.id.par = 1;
-  m.id.sym = symmetric ? 2 : 0;
+  m.id.sym = symmetry == Symmetry::unsymmetric ? 0 : 2;
   m.id.comm_fortran = -987654; // MUMPS's USE_COMM_WORLD
   run(m.id, -1);
   for (int k = 0; k < 4; ++k) m.id.icntl[k] = k == 3 ? 0 : -1; // silent
+  m.id.icntl[4] = 1;                                           // element matrices
   m.id.icntl[5] = m.id.icntl[7] = 0;                           // no permutation, no scaling
-  m.id.icntl[6] = ordering == Ordering::amf ? 2 : ordering == Ordering::pord ? 4 : 3;
-  m.id.icntl[9] = 0;   // no iterative refinement
-  m.id.icntl[13] = 40; // % of workspace to spare for pivoting
-  m.id.n = pattern.n;
-  m.id.nnz = static_cast<MUMPS_INT8>(m.irn.size());
-  m.id.irn = m.irn.data();
-  m.id.jcn = m.jcn.data();
-  m.id.a = m.a.data();
+  m.id.icntl[9] = 0;                                           // no iterative refinement
+  m.id.icntl[13] = 40;                                         // % of workspace to spare for pivoting
+  m.id.n = unknowns;
+  m.id.nelt = static_cast<MUMPS_INT>(element_unknowns.size());
+  m.id.eltptr = m.start.data();
+  m.id.eltvar = m.variable.data();
+  m.id.a_elt = m.a.data();
   run(m.id, 1);
   if (m.id.infog[0] < 0) throw std::runtime_error("MUMPS analysis failed: " + std::to_string(m.id.infog[0]));
 }
@@ -80,9 +60,16 @@ DirectSolver::~DirectSolver() {
 }
 DirectSolver::DirectSolver(DirectSolver&&) noexcept = default;
 
-bool DirectSolver::factorise(std::span<const double> values) {
+bool DirectSolver::factorise(std::span<const double> element_matrices) {
   Mumps& m = *mumps;
-  for (std::size_t k = 0; k < m.taken.size(); ++k) m.a[k] = values[m.taken[k]];
+  if (m.id.sym == 0) m.a.assign(element_matrices.begin(), element_matrices.end());
+  else { // MUMPS takes the lower triangles
+    auto from = element_matrices.begin();
+    auto to = m.a.begin();
+    for (int e = 0; e < m.id.nelt; ++e)
+      for (int n = m.start[e + 1] - m.start[e], j = 0; j < n; ++j, from += n)
+        to = std::copy(from + j, from + n, to);
+  }
   for (int attempt = 0; attempt < 4; ++attempt) {
     run(m.id, 2);
     if (m.id.infog[0] >= 0) return true;

@@ -1,43 +1,27 @@
 #pragma once
-// A sparse linear system with a fixed pattern, solved by MUMPS.
+// A sparse linear system that is a sum of dense element matrices, solved by MUMPS.
+//
+// The element matrices are handed over as they are: summing them first costs a third of the factorisation
+// (MUMPS sorts the entries of an assembled matrix each time).
 
-#include <array>
 #include <memory>
 #include <span>
 #include <vector>
 
 namespace platen::fe {
 
-/// Rows and columns of the entries of a square matrix that is assembled from dense element matrices;
-/// row-wise, sorted, each entry once.
-struct Pattern {
-  int n = 0;
-  std::vector<int> row_start; ///< n + 1
-  std::vector<int> column;
-
-  /// Position of entry (i, j), which must exist.
-  int find(int i, int j) const;
-};
-
-/// Pattern of element matrices over the unknowns of each element.
-Pattern pattern_of(int unknowns, std::span<const std::vector<int>> element_unknowns);
-
 enum class Symmetry { unsymmetric, general_symmetric };
-enum class Ordering {
-  amf,
-  pord,
-  scotch
-}; ///< measured: amf in 2-D, pord up to 30,000 unknowns in 3-D, then scotch
 
 /// Direct solver. The analysis is done once; factorise and solve as often as wanted.
 class DirectSolver {
  public:
-  DirectSolver(const Pattern&, Symmetry, Ordering);
+  /// The unknowns of each element, numbered from 0. Throws std::runtime_error where MUMPS refuses them.
+  DirectSolver(int unknowns, std::span<const std::vector<int>> element_unknowns, Symmetry);
   ~DirectSolver();
   DirectSolver(DirectSolver&&) noexcept;
 
-  /// Values in the order of the pattern. False where the matrix is singular.
-  [[nodiscard]] bool factorise(std::span<const double> values);
+  /// The element matrices one after the other, each whole and by columns. False where their sum is singular.
+  [[nodiscard]] bool factorise(std::span<const double> element_matrices);
   /// Replaces the right-hand side by the solution.
   void solve(std::span<double> rhs_to_solution);
 

@@ -3,6 +3,10 @@
 #include "material/dual.hpp"
 #include "material/vmdc.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 namespace platen::material {
 
 /// Drucker-Prager Cap through the same four points as the von Mises Double Cap (Edmans & Sinka, Tables 2 and
@@ -60,7 +64,7 @@ struct Dpc {
       if (from_peak < 0) return from_peak * from_peak / (b.x * b.x) + y * y <= 1;
       return q <= (from_peak > arc_end() ? (Lambda.x - p) * tan_beta().x : arc({from_peak}).x);
     }
-    double first_guess(double p, double q) const {
+    double first_guess(double p, double q, const Moduli&) const {
       if (p >= -pi_3.x) return -std::min(p, 0.9 * Lambda.x);
       const double angle = std::acos(std::min(q * B().x / Gamma.x, 0.99));
       return pi_3.x + b.x * std::min(angle, -(p + pi_3.x) / b.x);
@@ -98,11 +102,13 @@ struct Dpc {
   double rho_r(double phi) const { return vmdc().rho_r(phi); }
   Moduli moduli(double phi) const { return vmdc().moduli(phi); }
   Bounds bounds(double phi) const { return vmdc().bounds(phi); }
-  Surface surface(double phi) const {
-    const Vmdc::Surface f = vmdc().surface(phi);
+  Properties<Surface> properties(double phi) const {
+    const auto [m, f] = vmdc().properties(phi);
     return {
-        {f.Lambda, 0, f.Lambda_phi}, {f.Gamma, 0, f.Gamma_phi}, {f.pi_3, 0, f.pi_3_phi}, {f.b, 0, f.b_phi}};
+        m,
+        {{f.Lambda, 0, f.Lambda_phi}, {f.Gamma, 0, f.Gamma_phi}, {f.pi_3, 0, f.pi_3_phi}, {f.b, 0, f.b_phi}}};
   }
+  Surface surface(double phi) const { return properties(phi).surface; }
 };
 
 } // namespace platen::material

@@ -37,7 +37,7 @@ struct DruckerPrager {
 
   /// s in Pa: on the line s = p_apex - p > 0; at the apex, s in [-d, 0], the normal alone turns.
   struct Surface {
-    double d, tan_beta, tan_psi, K_over_3G;
+    double d, tan_beta, tan_psi;
 
     double p_apex() const { return d / tan_beta; }
     double s_min() const { return -d; }
@@ -54,7 +54,8 @@ struct DruckerPrager {
     }
     bool contains(double p, double q) const { return q + p * tan_beta <= d; }
     /// The return of small strains: along (K tan_psi, 3G) to the line, radially to the apex.
-    double first_guess(double p, double q) const {
+    double first_guess(double p, double q, const Moduli& m) const {
+      const double K_over_3G = m.K / (3 * m.G);
       const double flow = (q + p * tan_beta - d) / (1 + K_over_3G * tan_psi * tan_beta);
       const double p_line = p - K_over_3G * tan_psi * flow;
       if (p_line <= p_apex()) return p_apex() - p_line;
@@ -69,8 +70,7 @@ struct DruckerPrager {
   Moduli moduli(double) const { return isotropic_moduli(E, nu); }
   Surface surface(double) const {
     const double tan_beta = std::tan(beta_deg * degree);
-    return {sigma_c * (1 - tan_beta / 3), tan_beta, std::tan(psi_deg * degree),
-            2 * (1 + nu) / (9 * (1 - 2 * nu))};
+    return {sigma_c * (1 - tan_beta / 3), tan_beta, std::tan(psi_deg * degree)};
   }
 
   double reference_stress() const { return sigma_c; }

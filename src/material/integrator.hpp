@@ -81,8 +81,8 @@ Return evaluate_return(const M& model, TrialInvariants trial, double phi_n, doub
   e.eps_v = trial.eps_v - dv;
   e.eps_q = trial.eps_q - dw;
   e.exp_v = std::exp(-e.eps_v);
-  e.moduli = model.moduli(e.phi);
-  const auto surface = model.surface(e.phi);
+  const auto [moduli, surface] = properties(model, e.phi);
+  e.moduli = moduli;
   e.at = surface.at(s);
   e.zone = surface.zone(s);
   e.s_min = surface.s_min();
@@ -139,8 +139,7 @@ inline double volumetric_strain(double p, double K) {
 /// Plastic increments of the closest-point return at frozen phi, by bisection in s.
 template <PlasticModel M>
 std::array<double, 3> frozen_return(const M& model, TrialInvariants trial, double phi, int bisections) {
-  const auto surface = model.surface(phi);
-  const Moduli m = model.moduli(phi);
+  const auto [m, surface] = properties(model, phi);
   double lo = surface.s_min(), hi = surface.s_max();
   std::array<double, 3> x{};
   for (int i = 0; i < bisections; ++i) {
@@ -200,8 +199,7 @@ inline double densification_margin(const Return& e, TrialInvariants trial, doubl
 /// The same at the beginning of plastic flow, on the surface at phi_n near the place s.
 template <PlasticModel M>
 double densification_margin(const M& model, double phi_n, double s, double stress_unit) {
-  const Moduli m = model.moduli(phi_n);
-  const auto surface = model.surface(phi_n);
+  const auto [m, surface] = properties(model, phi_n);
   const double at = std::min(std::max(s, surface.s_min()), surface.s_max());
   const SurfacePoint f = surface.at(at);
   const double eps_v = volumetric_strain(f.p, m.K);
@@ -234,8 +232,7 @@ inline InvariantResponse elastic_response(const Moduli& m, TrialInvariants trial
 /// Backward Euler update of one material point. Pure; status `refused` leaves the rest unspecified.
 template <PlasticModel M>
 [[nodiscard]] InvariantResponse integrate(const M& model, TrialInvariants trial, double phi_n) {
-  const Moduli m_n = model.moduli(phi_n);
-  const auto surface_n = model.surface(phi_n);
+  const auto [m_n, surface_n] = properties(model, phi_n);
   InvariantResponse u = elastic_response(m_n, trial, phi_n);
   if (surface_n.contains(u.p, u.q)) return u;
   u.status = Status::refused;
@@ -282,7 +279,7 @@ template <PlasticModel M>
     return e.s > e.s_min - end && e.s < e.s_max + end && e.at.n_p * dv + e.at.n_q * dw > -rounding;
   };
   const auto guess = [&] {
-    const double s = surface_n.first_guess(u.p, u.q);
+    const double s = surface_n.first_guess(u.p, u.q, m_n);
     const SurfacePoint f = surface_n.at(s);
     const double J_e = std::min(std::exp(trial.eps_v), 2.0);
     return std::array{s, trial.eps_v - f.p / m_n.K, trial.eps_q - f.q * J_e / (3 * m_n.G)};

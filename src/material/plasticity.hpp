@@ -32,6 +32,12 @@ struct SurfacePoint {
   double n_p_phi, n_q_phi;
 };
 
+/// Moduli and yield surface at one phi.
+template <class Surface> struct Properties {
+  Moduli moduli;
+  Surface surface;
+};
+
 /// d(phi) = v d(eps_v^p) + w d(eps_q^p).
 struct PhiRate {
   double v, w;
@@ -52,8 +58,9 @@ concept YieldSurface = requires(const S& surface, double x) {
   { surface.at(x) } -> std::same_as<SurfacePoint>;
   { surface.s_min() } -> std::convertible_to<double>;
   { surface.s_max() } -> std::convertible_to<double>;
-  { surface.contains(x, x) } -> std::same_as<bool>;             // (p, q) inside or on the surface
-  { surface.first_guess(x, x) } -> std::convertible_to<double>; // s near the return of a trial (p, q) outside
+  { surface.contains(x, x) } -> std::same_as<bool>; // (p, q) inside or on the surface
+  // s near the return of a trial (p, q) outside
+  { surface.first_guess(x, x, Moduli{}) } -> std::convertible_to<double>;
   { surface.zone(x) } -> std::same_as<Zone>;
 };
 
@@ -63,6 +70,12 @@ concept PlasticModel = requires(const M& model, double phi) {
   { model.surface(phi) } -> YieldSurface;
   { M::phi_rate } -> std::convertible_to<PhiRate>;
 };
+
+/// Both at once: a model may offer them together, where that is cheaper.
+template <PlasticModel M> auto properties(const M& model, double phi) {
+  if constexpr (requires { model.properties(phi); }) return model.properties(phi);
+  else return Properties<decltype(model.surface(phi))>{model.moduli(phi), model.surface(phi)};
+}
 
 /// K and G of an isotropic material.
 constexpr Moduli isotropic_moduli(double E, double nu) {

@@ -23,7 +23,7 @@ struct VonMises {
     double s_min() const { return -p_end; }
     double s_max() const { return p_end; }
     bool contains(double, double q) const { return q <= sigma_y; }
-    double first_guess(double p, double) const { return -p; }
+    double first_guess(double p, double, const Moduli&) const { return -p; }
     Zone zone(double) const { return Zone::shear; }
   };
 
