@@ -58,7 +58,7 @@ void add_derive(CLI::App& program) {
   command->add_option("MATERIAL", o->material, "material card, or a name in the catalogue")->required();
   command->add_option("-o", o->folder, "folder for the results")->type_name("DIR")->capture_default_str();
   command->add_option("--variant", o->variant, "form of the law")->type_name("V")->capture_default_str();
-  command->add_option("--model", o->model, "run a vmdc or dpc card as vmdc, dpc or von-mises")
+  command->add_option("--model", o->model, "run a vmdc or dpc card as vmdc, dpc, dpc-published or von-mises")
       ->type_name("NAME");
   command->add_option("--radius_m", o->press_case.radius_m, "radius; the law does not depend on it")
       ->type_name("NUMBER")

@@ -216,7 +216,7 @@ void add_point(CLI::App& program) {
       ->add_option("--compaction", o->compaction, "shear: logarithmic volume lost before, in as many steps")
       ->type_name("NUMBER")
       ->capture_default_str();
-  command->add_option("--model", o->model, "run a vmdc or dpc card as vmdc, dpc or von-mises")
+  command->add_option("--model", o->model, "run a vmdc or dpc card as vmdc, dpc, dpc-published or von-mises")
       ->type_name("NAME");
   command->add_option("--moduli", o->moduli, "implicit, or after-step: elastic moduli one step late")
       ->type_name("SCHEME")

@@ -48,7 +48,9 @@ void add_press(CLI::App& program) {
   command->add_option("-o", options->folder, "folder for the results")
       ->type_name("DIR")
       ->capture_default_str();
-  command->add_option("--model", options->model, "run a vmdc or dpc card as vmdc, dpc or von-mises")
+  command
+      ->add_option("--model", options->model,
+                   "run a vmdc or dpc card as vmdc, dpc, dpc-published or von-mises")
       ->type_name("NAME");
   command->add_flag("--json", options->json, "print the summary for a machine to read");
   auto* keys = command->add_flag("--keys", options->keys, "every key of a case card, as Markdown");

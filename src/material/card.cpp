@@ -37,25 +37,34 @@ const std::vector<Field<VonMises>> hardened_fields = {
 
 // Ranges at the reference density (Edmans & Sinka, section 3); their linear laws can leave them for
 // nu and epsilon, as in two rows of their Table 4.
-template <class M>
-const std::vector<Field<M>> porous_fields = {
-    {"rho_r0", &M::rho_r0, "relative density at which the values hold, and of the undeformed particle",
-     left_open(0, 1)},
-    {"sigma_y_Pa", &M::sigma_y, "hydrostatic yield stress in compression", positive},
-    Field<M>{"E_Pa", &M::E, "Young's modulus", positive}.or_ratio("E_bar", "sigma_y_Pa"),
-    {"nu", &M::nu, "Poisson's ratio", right_open(0, 0.5)},
-    Field<M>{"Gamma_Pa", &M::Gamma, "shear strength, largest q", positive}.or_ratio("Gamma_bar",
-                                                                                    "sigma_y_Pa"),
-    Field<M>{"Lambda_Pa", &M::Lambda, "tensile strength, largest p", positive}.or_ratio("Lambda_bar",
-                                                                                        "sigma_y_Pa"),
-    {"epsilon", &M::epsilon, "compaction cap: semi-axis along p over semi-axis along q", positive},
-    {"eta", &M::eta, "exponent of sigma_y over relative density", any_number},
-    {"xi", &M::xi, "exponent of E", any_number},
-    {"zeta", &M::zeta, "exponent of Gamma", any_number},
-    {"omega", &M::omega, "exponent of Lambda", any_number},
-    {"xi_1", &M::xi_1, "slope of nu over relative density", any_number},
-    {"xi_2", &M::xi_2, "slope of epsilon over relative density", any_number},
-};
+template <class M> std::vector<Field<M>> porous_fields() {
+  return {
+      {"rho_r0", &M::rho_r0, "relative density at which the values hold, and of the undeformed particle",
+       left_open(0, 1)},
+      {"sigma_y_Pa", &M::sigma_y, "hydrostatic yield stress in compression", positive},
+      Field<M>{"E_Pa", &M::E, "Young's modulus", positive}.or_ratio("E_bar", "sigma_y_Pa"),
+      {"nu", &M::nu, "Poisson's ratio", right_open(0, 0.5)},
+      Field<M>{"Gamma_Pa", &M::Gamma, "shear strength, largest q", positive}.or_ratio("Gamma_bar",
+                                                                                      "sigma_y_Pa"),
+      Field<M>{"Lambda_Pa", &M::Lambda, "tensile strength, largest p", positive}.or_ratio("Lambda_bar",
+                                                                                          "sigma_y_Pa"),
+      {"epsilon", &M::epsilon, "compaction cap: semi-axis along p over semi-axis along q", positive},
+      {"eta", &M::eta, "exponent of sigma_y over relative density", any_number},
+      {"xi", &M::xi, "exponent of E", any_number},
+      {"zeta", &M::zeta, "exponent of Gamma", any_number},
+      {"omega", &M::omega, "exponent of Lambda", any_number},
+      {"xi_1", &M::xi_1, "slope of nu over relative density", any_number},
+      {"xi_2", &M::xi_2, "slope of epsilon over relative density", any_number},
+  };
+}
+const std::vector<Field<Vmdc>> vmdc_fields = porous_fields<Vmdc>();
+const std::vector<Field<Dpc>> dpc_fields = [] {
+  auto fields = porous_fields<Dpc>();
+  fields.push_back(Field<Dpc>{"published_flow", &Dpc::published_flow,
+                              "the paper's potential, whose plastic power can be negative"}
+                       .optional());
+  return fields;
+}();
 
 /// The fields of the model's own type, handed to `use`.
 template <class Use> decltype(auto) with_fields(const Model& model, Use use) {
@@ -65,9 +74,9 @@ template <class Use> decltype(auto) with_fields(const Model& model, Use use) {
     auto operator()(const VonMises& m) {
       return use_(has_own_yield_stress(m.hardening) ? hardened_fields : von_mises_fields, m);
     }
-    auto operator()(const Vmdc& m) { return use_(porous_fields<Vmdc>, m); }
+    auto operator()(const Vmdc& m) { return use_(vmdc_fields, m); }
     auto operator()(const DruckerPrager& m) { return use_(drucker_prager_fields(), m); }
-    auto operator()(const Dpc& m) { return use_(porous_fields<Dpc>, m); }
+    auto operator()(const Dpc& m) { return use_(dpc_fields, m); }
     auto operator()(const MohrCoulomb& m) { return use_(mohr_coulomb_fields(), m); }
   };
   return std::visit(Choose{use}, model);
@@ -90,7 +99,7 @@ VonMises read_von_mises(const Table& table) {
 }
 
 Dpc read_dpc(const Table& table) {
-  const Dpc m = core::read_fields(table, porous_fields<Dpc>);
+  const Dpc m = core::read_fields(table, dpc_fields);
   if (m.epsilon * m.Gamma >= m.sigma_y)
     throw core::InvalidInput(fmt::format(
         "{}: the cap would begin inside the failure line; epsilon Gamma = {} must be less than sigma_y = {}",
@@ -114,7 +123,7 @@ const std::vector<std::string> sections = {"parameters", "source"};
 Model read_model(const Table& card, const std::string& name, const Table& table) {
   if (name == "elastic") return core::read_fields(table, elastic_fields);
   if (name == "von-mises") return read_von_mises(table);
-  if (name == "vmdc") return core::read_fields(table, porous_fields<Vmdc>);
+  if (name == "vmdc") return core::read_fields(table, vmdc_fields);
   if (name == "drucker-prager") return read_drucker_prager(table);
   if (name == "dpc") return read_dpc(table);
   if (name == "mohr-coulomb") return read_mohr_coulomb(table);
@@ -179,8 +188,11 @@ std::string card_text(const Material& material) {
 std::vector<Parameter> parameters(const Model& model) {
   std::vector<Parameter> list = with_fields(model, [](const auto& fields, const auto& m) {
     std::vector<Parameter> values;
-    for (const auto& field : fields)
-      values.push_back({field.key, std::get<double>(core::value_of(field, m)), field.meaning});
+    for (const auto& field : fields) {
+      const core::FieldValue value = core::value_of(field, m);
+      const auto* choice = std::get_if<bool>(&value);
+      values.push_back({field.key, choice ? *choice : std::get<double>(value), field.meaning});
+    }
     return values;
   });
   if (const auto* metal = std::get_if<VonMises>(&model))
@@ -197,8 +209,8 @@ std::string card_reference() {
   section("elastic", core::infos<Elastic>(elastic_fields));
   section("von-mises", core::infos<VonMises>(von_mises_fields));
   page += hardening_reference();
-  section("vmdc", core::infos<Vmdc>(porous_fields<Vmdc>));
-  section("dpc", core::infos<Dpc>(porous_fields<Dpc>));
+  section("vmdc", core::infos<Vmdc>(vmdc_fields));
+  section("dpc", core::infos<Dpc>(dpc_fields));
   page += "\nepsilon Gamma must be less than sigma_y.\n";
   section("drucker-prager", drucker_prager_infos());
   page += "\nExactly one of beta_deg + sigma_c_Pa, phi_deg + sigma_c_Pa, phi_deg + cohesion_Pa.\n";

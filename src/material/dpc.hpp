@@ -17,9 +17,15 @@ namespace platen::material {
 ///   transition    an arc about (-pi_3, (1 - A) Gamma), tangent to the line, level at p = -pi_3
 ///   cap           ((p + pi_3)/(epsilon Gamma))^2 + (B q/Gamma)^2 = 1 for p < -pi_3
 ///
-/// Flow: associated on the cap; elsewhere normal to (p + pi_3)^2 tan^2(beta) + B^2 q^2, so from pure shear at
-/// the peak to pure dilation at the apex. This is the paper's potential. Where p < 0 on the line it dilates
-/// against a pressure, and the plastic power p dv + q dw can be negative when Lambda is small.
+/// Flow: associated on the cap. On line and arc
+///
+///   by default      as vmdc flows: pure shear while p < 0, then normal to (Lambda + pi_3) p^2
+///   tan^2(beta)/Lambda +
+///                   B^2 q^2, so pure dilation at the apex. The plastic power p dv + q dw is nowhere
+///                   negative.
+///   published_flow  the paper's potential, normal to (p + pi_3)^2 tan^2(beta) + B^2 q^2: it dilates against
+///   a
+///                   pressure, and the plastic power is negative on much of the line where Lambda is small.
 ///
 /// The paper gives no pi_8, the radius of the arc. Here pi_8 = A cos(beta), A = 0.02: the top is at most 2 %
 /// below Gamma at any beta, since B = 1/(1 + pi_8 - A). Properties evolve with density, and are bounded, as
@@ -38,6 +44,7 @@ struct Dpc {
   double omega;   ///< exponent of Lambda
   double xi_1;    ///< slope of nu over rho_r
   double xi_2;    ///< slope of epsilon over rho_r
+  bool published_flow = false;
 
   static constexpr PhiRate phi_rate{-1, 0};
   static constexpr double A = 0.02; ///< pi_8/cos(pi_6)
@@ -45,6 +52,7 @@ struct Dpc {
   /// s = -p on line and arc, from -Lambda to pi_3; the cap follows as in Vmdc, to pi_3 + b pi/2.
   struct Surface {
     Dual Lambda, Gamma, pi_3, b; ///< b: p-semi-axis of the cap
+    bool published_flow;
 
     double s_min() const { return -Lambda.x; }
     double s_max() const { return pi_3.x + b.x * std::numbers::pi / 2; }
@@ -57,7 +65,8 @@ struct Dpc {
       }
       const Dual tan_b = tan_beta(), from_peak = pi_3 - s; // p + pi_3
       const Dual q = from_peak.x > arc_end() ? (Lambda + s) * tan_b : arc(from_peak);
-      return point(-s, q, from_peak * tan_b * tan_b, B() * B() * q);
+      const Dual dilating = published_flow ? from_peak : s.x < 0 ? -s * ((Lambda + pi_3) / Lambda) : Dual{};
+      return point(-s, q, dilating * tan_b * tan_b, B() * B() * q);
     }
     bool contains(double p, double q) const {
       const double from_peak = p + pi_3.x, y = q * B().x / Gamma.x;
@@ -69,7 +78,10 @@ struct Dpc {
       const double angle = std::acos(std::min(q * B().x / Gamma.x, 0.99));
       return pi_3.x + b.x * std::min(angle, -(p + pi_3.x) / b.x);
     }
-    Zone zone(double s) const { return s <= pi_3.x ? Zone::shear : Zone::compaction; }
+    /// The paper tells two zones apart, since its line dilates everywhere.
+    Zone zone(double s) const {
+      return s > pi_3.x ? Zone::compaction : s < 0 && !published_flow ? Zone::tension : Zone::shear;
+    }
 
    private:
     Dual tan_beta() const { return Gamma / (Lambda + pi_3); }
@@ -94,9 +106,9 @@ struct Dpc {
   Vmdc vmdc() const {
     return {rho_r0, sigma_y, E, nu, Gamma, Lambda, epsilon, eta, xi, zeta, omega, xi_1, xi_2};
   }
-  static Dpc through(const Vmdc& m) {
+  static Dpc through(const Vmdc& m, bool published_flow = false) {
     return {m.rho_r0, m.sigma_y, m.E,    m.nu,    m.Gamma, m.Lambda, m.epsilon,
-            m.eta,    m.xi,      m.zeta, m.omega, m.xi_1,  m.xi_2};
+            m.eta,    m.xi,      m.zeta, m.omega, m.xi_1,  m.xi_2,   published_flow};
   }
 
   double rho_r(double phi) const { return vmdc().rho_r(phi); }
@@ -104,9 +116,12 @@ struct Dpc {
   Bounds bounds(double phi) const { return vmdc().bounds(phi); }
   Properties<Surface> properties(double phi) const {
     const auto [m, f] = vmdc().properties(phi);
-    return {
-        m,
-        {{f.Lambda, 0, f.Lambda_phi}, {f.Gamma, 0, f.Gamma_phi}, {f.pi_3, 0, f.pi_3_phi}, {f.b, 0, f.b_phi}}};
+    return {m,
+            {{f.Lambda, 0, f.Lambda_phi},
+             {f.Gamma, 0, f.Gamma_phi},
+             {f.pi_3, 0, f.pi_3_phi},
+             {f.b, 0, f.b_phi},
+             published_flow}};
   }
   Surface surface(double phi) const { return properties(phi).surface; }
 };

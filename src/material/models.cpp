@@ -33,15 +33,16 @@ Model run_as(const Model& model, std::string_view name) {
   const Vmdc m = dpc ? dpc->vmdc() : *vmdc;
   if (name == "vmdc") return m;
   if (name == "von-mises") return VonMises{m.E, m.nu, m.Gamma};
-  if (name != "dpc")
-    throw core::InvalidInput(fmt::format("a {} material can be run as vmdc, dpc or von-mises, not as \"{}\"",
-                                         model_name(model), name));
+  if (name != "dpc" && name != "dpc-published")
+    throw core::InvalidInput(
+        fmt::format("a {} material can be run as vmdc, dpc, dpc-published or von-mises, not as \"{}\"",
+                    model_name(model), name));
   if (m.epsilon * m.Gamma >= m.sigma_y)
     throw core::InvalidInput(fmt::format(
         "this material cannot be run as dpc: its cap, epsilon Gamma = {:.6g} Pa long, would begin inside "
         "the failure line; it must be shorter than sigma_y = {:.6g} Pa",
         m.epsilon * m.Gamma, m.sigma_y));
-  return Dpc::through(m);
+  return Dpc::through(m, name == "dpc-published");
 }
 
 } // namespace platen::material

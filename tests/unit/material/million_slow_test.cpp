@@ -54,6 +54,7 @@ TEST(MillionIncrements, OfVonMisesWithEveryHardening) { count(metals(), 41).say(
 TEST(MillionIncrements, OfVmdcInItsParameterSpace) { count(corner_materials(), 42).say("vmdc"); }
 TEST(MillionIncrements, OfDruckerPrager) { count(rocks(), 43).say("drucker-prager"); }
 TEST(MillionIncrements, OfDpcInTheSameParameterSpace) { count(caps(), 44).say("dpc"); }
+TEST(MillionIncrements, OfDpcWithItsPublishedFlow) { count(caps(true), 46).say("dpc-published"); }
 
 TEST(MillionIncrements, OfMohrCoulomb) {
   std::mt19937 generator(45);

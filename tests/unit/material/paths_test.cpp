@@ -77,6 +77,7 @@ TEST(RandomPaths, PlasticPowerIsNotNegative) {
   check(metals(), 0.02);
   check(rocks(), 0.005);
   check(corner_materials(), 0.02);
+  check(caps(), 0.02);
   check(std::vector<MohrCoulomb>{{1e4 / 3.2, 0.38, 27.8, 1, 27.8, 1 / 3.2},
                                  {1e4 / 3.2, 0.38, 27.8, 1, 5, 1 / 3.2}},
         0.005);
@@ -110,12 +111,12 @@ TEST(RandomPaths, DensityDependentModuliCanTakeMoreThanThePlasticPower) {
   EXPECT_GT(stiff, -1) << "a stiff material stores little";
 }
 
-TEST(RandomPaths, ThePotentialOfDpcCanGiveWorkBack) {
-  // Edmans & Sinka's Table 2 for DPC: from the apex to the peak it dilates, also against pressure. The least
-  // share met is reported; the base case's line has p (p + pi_3) tan^2 + B^2 q^2 < 0 between its ends.
+TEST(RandomPaths, ThePublishedFlowOfDpcGivesWorkBack) {
+  // Edmans & Sinka's Table 2 for DPC: from the peak to the apex it dilates, also against pressure. This is
+  // why it is not the default. The least share met is reported.
   std::mt19937 generator(34);
   double least = 0;
-  for (const auto& m : caps()) least = std::min(least, walk(m, 200, 0.01, generator).least_power);
-  std::printf("least plastic power of the Drucker-Prager Cap over |p dv| + |q dw|: %.3f\n", least);
-  EXPECT_LT(least, 0);
+  for (const auto& m : caps(true)) least = std::min(least, walk(m, 200, 0.01, generator).least_power);
+  std::printf("least plastic power of the published Drucker-Prager Cap over |p dv| + |q dw|: %.3f\n", least);
+  EXPECT_LT(least, -0.5);
 }

@@ -45,9 +45,9 @@ inline std::vector<DruckerPrager> rocks() {
 }
 
 /// Drucker-Prager Caps through the points of the corner materials whose cap is shorter than sigma_y.
-inline std::vector<Dpc> caps() {
+inline std::vector<Dpc> caps(bool published_flow = false) {
   std::vector<Dpc> all;
-  for (const auto& m : corner_materials()) all.push_back(Dpc::through(m));
+  for (const auto& m : corner_materials()) all.push_back(Dpc::through(m, published_flow));
   return all;
 }
 

@@ -152,14 +152,19 @@ TEST(DpcCard, RefusesACapInsideItsFailureLine) {
   const std::string card = card_text(read_card("base-case").material);
   const auto at = card.find("[parameters]");
   std::string lines = card.substr(at + 13);
-  EXPECT_TRUE(std::holds_alternative<Dpc>(read("dpc", lines).model));
+  EXPECT_FALSE(std::get<Dpc>(read("dpc", lines).model).published_flow);
+  const auto published = read("dpc", lines + "published_flow = true\n");
+  EXPECT_TRUE(std::get<Dpc>(published.model).published_flow);
+  EXPECT_TRUE(std::get<Dpc>(read_card(core::parse_toml(card_text(published), "again")).material.model)
+                  .published_flow);
   lines.replace(lines.find("epsilon = 0.7"), 13, "epsilon = 1.0");
   refuses("dpc", lines, "inside the failure line");
 }
 
 TEST(RunAs, TurnsAPorousMaterialIntoItsEquivalents) {
   const auto base = read_card("base-case").material;
-  EXPECT_EQ(model_name(run_as(base.model, "dpc")), "dpc");
+  EXPECT_FALSE(std::get<Dpc>(run_as(base.model, "dpc")).published_flow);
+  EXPECT_TRUE(std::get<Dpc>(run_as(base.model, "dpc-published")).published_flow);
   EXPECT_EQ(model_name(run_as(run_as(base.model, "dpc"), "vmdc")), "vmdc");
   EXPECT_EQ(std::get<VonMises>(run_as(base.model, "von-mises")).sigma_y, 150e6);
   EXPECT_THROW((void)run_as(base.model, "drucker-prager"), core::InvalidInput);
