@@ -9,6 +9,7 @@ class App;
 namespace platen::app {
 
 void add_materials(CLI::App&);
+void add_point(CLI::App&);
 void add_press(CLI::App&);
 void add_fit(CLI::App&);
 void add_derive(CLI::App&);

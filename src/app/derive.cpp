@@ -19,7 +19,7 @@ namespace platen::app {
 namespace {
 
 struct Options {
-  std::string material, folder = "out", variant = "published", unload_from;
+  std::string material, folder = "out", variant = "published", unload_from, model;
   press::Case press_case;
   bool json = false;
 };
@@ -63,6 +63,7 @@ void derive(const Options& o) {
   press::Case c = o.press_case;
   c.material = material::read_card(o.material).material;
   c.unload_from = unloading(o.unload_from, c.delta_bar_max);
+  if (!o.model.empty()) c.material.model = material::run_as(c.material.model, o.model);
   press::validate(c);
   c.fields_at = moments(c.delta_bar_max);
 
@@ -98,6 +99,8 @@ void add_derive(CLI::App& program) {
       ->add_option("--unload_from", o->unload_from,
                    "delta/R0 from which branches unload: 0.1,0.3; none; default: five, up to delta_bar_max")
       ->type_name("LIST");
+  command->add_option("--model", o->model, "run a vmdc or dpc card as vmdc, dpc, dpc-published or von-mises")
+      ->type_name("NAME");
   command->add_option("--radius_m", o->press_case.radius_m, "radius; the law does not depend on it")
       ->type_name("NUMBER")
       ->capture_default_str();

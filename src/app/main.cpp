@@ -47,6 +47,7 @@ int run(int argc, char** argv) {
   program.set_version_flag("--version", fmt::format("platen {} (engine {})", core::version, core::engine));
   program.footer("Example: platen derive mcc-ph-200 -o out");
   app::add_materials(program);
+  app::add_point(program);
   app::add_press(program);
   app::add_fit(program);
   app::add_derive(program);

@@ -13,7 +13,7 @@ namespace platen::app {
 namespace {
 
 struct Options {
-  std::string card, folder = "out";
+  std::string card, folder = "out", model;
   bool json = false, keys = false;
 };
 
@@ -22,7 +22,8 @@ void press(const Options& options) {
     fmt::print("{}", press::case_reference());
     return;
   }
-  const auto c = press::read_case(options.card);
+  auto c = press::read_case(options.card);
+  if (!options.model.empty()) c.material.model = material::run_as(c.material.model, options.model);
   const OutputFolder folder(options.folder);
   const auto result = press_into(c, folder, Fields::pictures_and_vtu);
   print_flags(result);
@@ -51,6 +52,10 @@ void add_press(CLI::App& program) {
   command->add_option("-o", options->folder, "folder for the results")
       ->type_name("DIR")
       ->capture_default_str();
+  command
+      ->add_option("--model", options->model,
+                   "run a vmdc or dpc card as vmdc, dpc, dpc-published or von-mises")
+      ->type_name("NAME");
   command->add_flag("--json", options->json, "print the summary for a machine to read");
   auto* keys = command->add_flag("--keys", options->keys, "every key of a case card, as Markdown");
   keys->excludes(card);

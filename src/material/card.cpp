@@ -4,6 +4,10 @@
 #include "core/error.hpp"
 #include "core/fields.hpp"
 #include "core/nearest.hpp"
+#include "core/number.hpp"
+#include "material/drucker_prager_card.hpp"
+#include "material/hardening_card.hpp"
+#include "material/mohr_coulomb_card.hpp"
 
 #include <fmt/format.h>
 
@@ -25,27 +29,42 @@ const std::vector<Field<VonMises>> von_mises_fields = {
     Field<VonMises>{"E_Pa", &VonMises::E, "Young's modulus", positive}.or_ratio("E_bar", "sigma_y_Pa"),
     {"nu", &VonMises::nu, "Poisson's ratio", right_open(0, 0.5)},
 };
+/// Of a hardening law that knows its yield stress.
+const std::vector<Field<VonMises>> hardened_fields = {
+    {"E_Pa", &VonMises::E, "Young's modulus", positive},
+    {"nu", &VonMises::nu, "Poisson's ratio", right_open(0, 0.5)},
+};
 
 // Ranges at the reference density (Edmans & Sinka, section 3); their linear laws can leave them for
 // nu and epsilon, as in two rows of their Table 4.
-const std::vector<Field<Vmdc>> vmdc_fields = {
-    {"rho_r0", &Vmdc::rho_r0, "relative density at which the values hold, and of the undeformed particle",
-     left_open(0, 1)},
-    {"sigma_y_Pa", &Vmdc::sigma_y, "hydrostatic yield stress in compression", positive},
-    Field<Vmdc>{"E_Pa", &Vmdc::E, "Young's modulus", positive}.or_ratio("E_bar", "sigma_y_Pa"),
-    {"nu", &Vmdc::nu, "Poisson's ratio", right_open(0, 0.5)},
-    Field<Vmdc>{"Gamma_Pa", &Vmdc::Gamma, "shear strength, largest q", positive}.or_ratio("Gamma_bar",
+template <class M> std::vector<Field<M>> porous_fields() {
+  return {
+      {"rho_r0", &M::rho_r0, "relative density at which the values hold, and of the undeformed particle",
+       left_open(0, 1)},
+      {"sigma_y_Pa", &M::sigma_y, "hydrostatic yield stress in compression", positive},
+      Field<M>{"E_Pa", &M::E, "Young's modulus", positive}.or_ratio("E_bar", "sigma_y_Pa"),
+      {"nu", &M::nu, "Poisson's ratio", right_open(0, 0.5)},
+      Field<M>{"Gamma_Pa", &M::Gamma, "shear strength, largest q", positive}.or_ratio("Gamma_bar",
+                                                                                      "sigma_y_Pa"),
+      Field<M>{"Lambda_Pa", &M::Lambda, "tensile strength, largest p", positive}.or_ratio("Lambda_bar",
                                                                                           "sigma_y_Pa"),
-    Field<Vmdc>{"Lambda_Pa", &Vmdc::Lambda, "tensile strength, largest p", positive}.or_ratio("Lambda_bar",
-                                                                                              "sigma_y_Pa"),
-    {"epsilon", &Vmdc::epsilon, "compaction cap: semi-axis along p over semi-axis along q", positive},
-    {"eta", &Vmdc::eta, "exponent of sigma_y over relative density", any_number},
-    {"xi", &Vmdc::xi, "exponent of E", any_number},
-    {"zeta", &Vmdc::zeta, "exponent of Gamma", any_number},
-    {"omega", &Vmdc::omega, "exponent of Lambda", any_number},
-    {"xi_1", &Vmdc::xi_1, "slope of nu over relative density", any_number},
-    {"xi_2", &Vmdc::xi_2, "slope of epsilon over relative density", any_number},
-};
+      {"epsilon", &M::epsilon, "compaction cap: semi-axis along p over semi-axis along q", positive},
+      {"eta", &M::eta, "exponent of sigma_y over relative density", any_number},
+      {"xi", &M::xi, "exponent of E", any_number},
+      {"zeta", &M::zeta, "exponent of Gamma", any_number},
+      {"omega", &M::omega, "exponent of Lambda", any_number},
+      {"xi_1", &M::xi_1, "slope of nu over relative density", any_number},
+      {"xi_2", &M::xi_2, "slope of epsilon over relative density", any_number},
+  };
+}
+const std::vector<Field<Vmdc>> vmdc_fields = porous_fields<Vmdc>();
+const std::vector<Field<Dpc>> dpc_fields = [] {
+  auto fields = porous_fields<Dpc>();
+  fields.push_back(Field<Dpc>{"published_flow", &Dpc::published_flow,
+                              "the paper's potential, whose plastic power can be negative"}
+                       .optional());
+  return fields;
+}();
 
 /// What any material may say beside its model.
 struct Beside {
@@ -58,11 +77,20 @@ const std::vector<Field<Beside>> beside_fields = {
 };
 const std::vector<std::string> beside_keys = {"tensile_strength_Pa"};
 
+/// In any unit: the message about a wrong one is theirs.
+bool is_beside(std::string_view key) { return key.starts_with("tensile_strength"); }
+
 std::optional<double> read_tensile_strength(const Table& parameters) {
-  std::vector<std::string> others; // the model's own, already read
-  for (const auto& entry : parameters.entries) others.push_back(entry.key);
+  std::vector<std::string> others; // the model's own
+  for (const auto& entry : parameters.entries)
+    if (!is_beside(entry.key)) others.push_back(entry.key);
   const double strength = core::read_fields<Beside>(parameters, beside_fields, {}, others).tensile_strength;
   return strength > 0 ? std::optional(strength) : std::nullopt;
+}
+
+Table without_beside(Table parameters) {
+  std::erase_if(parameters.entries, [](const auto& entry) { return is_beside(entry.key); });
+  return parameters;
 }
 
 /// The fields of the model's own type, handed to `use`.
@@ -70,15 +98,43 @@ template <class Use> decltype(auto) with_fields(const Model& model, Use use) {
   struct Choose {
     Use& use_;
     auto operator()(const Elastic& m) { return use_(elastic_fields, m); }
-    auto operator()(const VonMises& m) { return use_(von_mises_fields, m); }
+    auto operator()(const VonMises& m) {
+      return use_(has_own_yield_stress(m.hardening) ? hardened_fields : von_mises_fields, m);
+    }
     auto operator()(const Vmdc& m) { return use_(vmdc_fields, m); }
+    auto operator()(const DruckerPrager& m) { return use_(drucker_prager_fields(), m); }
+    auto operator()(const Dpc& m) { return use_(dpc_fields, m); }
+    auto operator()(const MohrCoulomb& m) { return use_(mohr_coulomb_fields(), m); }
   };
   return std::visit(Choose{use}, model);
 }
 
-const std::vector<std::string> model_names = {"elastic", "von-mises", "vmdc"};
-const std::vector<std::string> later_models = {"dpc", "drucker-prager", "mohr-coulomb"};
-const std::vector<std::string> later_parameters = {"hardening", "density_kg_per_m3"};
+VonMises read_von_mises(const Table& table) {
+  VonMises m{};
+  m.hardening = read_hardening(table);
+  const bool own = has_own_yield_stress(m.hardening);
+  for (const char* key : {"sigma_y_Pa", "E_bar"})
+    if (own && table.find(key))
+      throw core::InvalidInput(
+          fmt::format("{}: this hardening has its own yield stress; leave it out, and give E_Pa",
+                      core::place(table, key)));
+  const std::vector<std::string> others = {"hardening"};
+  m = core::read_fields(table, own ? hardened_fields : von_mises_fields, m, others);
+  m.sigma_y = initial_yield_stress(m.hardening, m.E, m.sigma_y);
+  check_hardening(table, m.hardening, m.E, m.moduli(0).G, m.sigma_y);
+  return m;
+}
+
+Dpc read_dpc(const Table& table) {
+  const Dpc m = core::read_fields(table, dpc_fields);
+  if (m.epsilon * m.Gamma >= m.sigma_y)
+    throw core::InvalidInput(fmt::format(
+        "{}: the cap would begin inside the failure line; epsilon Gamma = {} must be less than sigma_y = {}",
+        core::place(table, "epsilon"), core::number_text(m.epsilon * m.Gamma), core::number_text(m.sigma_y)));
+  return m;
+}
+
+const std::vector<std::string> later_parameters = {"density_kg_per_m3"};
 
 struct Head {
   int platen = 1;
@@ -87,20 +143,20 @@ struct Head {
 const std::vector<Field<Head>> head_fields = {
     {"platen", &Head::platen, "format of the card", closed(1, 1)},
     {"name", &Head::name, "name of the material, for people"},
-    {"model", &Head::model, "elastic, von-mises or vmdc"},
+    {"model", &Head::model, "elastic, von-mises, vmdc, dpc, drucker-prager or mohr-coulomb"},
 };
 const std::vector<std::string> sections = {"parameters", "source"};
 
-Model empty_model(const Table& card, const std::string& name) {
-  if (name == "elastic") return Elastic{};
-  if (name == "von-mises") return VonMises{};
-  if (name == "vmdc") return Vmdc{};
-  const std::string start = fmt::format("{} = \"{}\"", core::place(card, "model"), name);
-  if (std::find(later_models.begin(), later_models.end(), name) != later_models.end())
-    throw core::InvalidInput(
-        fmt::format("{} is not available yet; available are: {}", start, fmt::join(model_names, ", ")));
-  throw core::InvalidInput(
-      fmt::format("{}: there is no such model{}", start, core::suggestion(name, model_names)));
+Model read_model(const Table& card, const std::string& name, const Table& table) {
+  if (name == "elastic") return core::read_fields(table, elastic_fields);
+  if (name == "von-mises") return read_von_mises(table);
+  if (name == "vmdc") return core::read_fields(table, vmdc_fields);
+  if (name == "drucker-prager") return read_drucker_prager(table);
+  if (name == "dpc") return read_dpc(table);
+  if (name == "mohr-coulomb") return read_mohr_coulomb(table);
+  const std::vector<std::string> names(model_names.begin(), model_names.end());
+  throw core::InvalidInput(fmt::format("{} = \"{}\": there is no such model{}", core::place(card, "model"),
+                                       name, core::suggestion(name, names)));
 }
 
 const Table& needed_section(const Table& card, std::string_view name) {
@@ -113,9 +169,7 @@ const Table& needed_section(const Table& card, std::string_view name) {
 void refuse_later_parameters(const Table& table) {
   for (const auto& key : later_parameters)
     if (table.find(key))
-      throw core::InvalidInput(
-          fmt::format("{} is not available yet; leave it out{}", core::place(table, key),
-                      key == "hardening" ? ", the material is then perfectly plastic" : ""));
+      throw core::InvalidInput(fmt::format("{} is not available yet; leave it out", core::place(table, key)));
 }
 
 std::vector<std::pair<std::string, std::string>> read_sources(const Table& table,
@@ -143,11 +197,8 @@ Card read_card(std::string_view what) {
 Card read_card(const Table& table) {
   const Head head = core::read_fields<Head>(table, head_fields, {}, sections);
   const Table& parameter_table = needed_section(table, "parameters");
-  Card card{{head.name, empty_model(table, head.model), {}}, {}, table.file};
   refuse_later_parameters(parameter_table);
-  card.material.model = with_fields(card.material.model, [&](const auto& fields, const auto& empty) -> Model {
-    return core::read_fields(parameter_table, fields, empty, beside_keys);
-  });
+  Card card{{head.name, read_model(table, head.model, without_beside(parameter_table)), {}}, {}, table.file};
   card.material.tensile_strength = read_tensile_strength(parameter_table);
   if (const Table* source = core::section(table, "source"))
     card.sources = read_sources(*source, parameter_table);
@@ -156,14 +207,13 @@ Card read_card(const Table& table) {
 
 std::string card_text(const Material& material) {
   const Head head{1, material.name, std::string(model_name(material.model))};
-  const auto lines = with_fields(
+  auto lines = with_fields(
       material.model, [](const auto& fields, const auto& model) { return core::card_lines(fields, model); });
+  if (const auto* metal = std::get_if<VonMises>(&material.model)) lines += hardening_line(metal->hardening);
   const auto strength = material.tensile_strength;
   return fmt::format("{}\n[parameters]\n{}{}", core::card_lines(head_fields, head), lines,
                      strength ? core::card_line(beside_keys[0], *strength) : "");
 }
-
-std::string_view model_name(const Model& model) { return model_names[model.index()]; }
 
 std::vector<Parameter> parameters(const Material& material) {
   auto list = parameters(material.model);
@@ -173,21 +223,36 @@ std::vector<Parameter> parameters(const Material& material) {
 }
 
 std::vector<Parameter> parameters(const Model& model) {
-  return with_fields(model, [](const auto& fields, const auto& m) {
-    std::vector<Parameter> list;
-    for (const auto& field : fields)
-      list.push_back({field.key, std::get<double>(core::value_of(field, m)), field.meaning});
-    return list;
+  std::vector<Parameter> list = with_fields(model, [](const auto& fields, const auto& m) {
+    std::vector<Parameter> values;
+    for (const auto& field : fields) {
+      const core::FieldValue value = core::value_of(field, m);
+      const auto* choice = std::get_if<bool>(&value);
+      values.push_back({field.key, choice ? *choice : std::get<double>(value), field.meaning});
+    }
+    return values;
   });
+  if (const auto* metal = std::get_if<VonMises>(&model))
+    for (const auto& [key, number] : hardening_numbers(metal->hardening))
+      list.push_back({key, number.first, number.second});
+  return list;
 }
 
 std::string card_reference() {
   std::string page = "# Material card\n\n" + core::reference_table(core::infos<Head>(head_fields));
-  page += "\n## [parameters] of model = \"elastic\"\n\n" +
-          core::reference_table(core::infos<Elastic>(elastic_fields));
-  page += "\n## [parameters] of model = \"von-mises\"\n\n" +
-          core::reference_table(core::infos<VonMises>(von_mises_fields));
-  page += "\n## [parameters] of model = \"vmdc\"\n\n" + core::reference_table(core::infos<Vmdc>(vmdc_fields));
+  const auto section = [&](const char* model, const std::vector<core::FieldInfo>& fields) {
+    page += fmt::format("\n## [parameters] of model = \"{}\"\n\n{}", model, core::reference_table(fields));
+  };
+  section("elastic", core::infos<Elastic>(elastic_fields));
+  section("von-mises", core::infos<VonMises>(von_mises_fields));
+  page += hardening_reference();
+  section("vmdc", core::infos<Vmdc>(vmdc_fields));
+  section("dpc", core::infos<Dpc>(dpc_fields));
+  page += "\nepsilon Gamma must be less than sigma_y.\n";
+  section("drucker-prager", drucker_prager_infos());
+  page += "\nExactly one of beta_deg + sigma_c_Pa, phi_deg + sigma_c_Pa, phi_deg + cohesion_Pa.\n";
+  section("mohr-coulomb", mohr_coulomb_infos());
+  page += "\nExactly one of cohesion_Pa and sigma_c_Pa.\n";
   page += "\n## [parameters] beside those of the model\n\n" +
           core::reference_table(core::infos<Beside>(beside_fields));
   page += "\n## [source]\n\nText for any key above, or `default`: where its value is from.\n";

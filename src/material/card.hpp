@@ -27,10 +27,7 @@ Card read_card(const core::Table&);
 /// The material as the text of a card, every number in SI units.
 std::string card_text(const Material&);
 
-/// "vmdc", "von-mises", ...: how cards name the model.
-std::string_view model_name(const Model&);
-
-/// Every parameter of the model: key, value in SI units, meaning.
+/// Every parameter of the model: key, value in SI units (a choice: 1 or 0), meaning.
 struct Parameter {
   std::string key;
   double value;

@@ -19,6 +19,7 @@
 
 #include "material/plasticity.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -35,8 +36,12 @@ enum class Status : unsigned char {
   elastic,
   plastic,   ///< Newton converged
   bracketed, ///< the bracketing fall-back was needed
-  refused    ///< no admissible state was found: cut the step
+  refused,   ///< no admissible state was found: cut the step
+  unstable   ///< refused as well: densification raises the elastic stress faster than the surface gives way
 };
+
+/// Whether the update has no state to give.
+constexpr bool is_refused(Status status) { return status >= Status::refused; }
 
 /// The state after the increment, and the consistent tangent d(p, q)/d(eps_v^tr, eps_q^tr).
 struct InvariantResponse {
@@ -177,6 +182,32 @@ bool bracketed_start(const M& model, TrialInvariants trial, double phi_n, std::a
   return true;
 }
 
+/// The determinant of the return over that with moduli and surface frozen. In isotropic compression it is 1 +
+/// (|p|/K)(d(ln sigma_y)/d(phi) - d(ln K)/d(phi)), but for the elastic volume change. Where it is not
+/// positive, a further compaction by plastic flow would raise the elastic pressure faster than the strength:
+/// the root is no state that a compression leads to.
+inline double densification_margin(const Return& e, TrialInvariants trial, double unit) {
+  const auto& [K, G, K_phi, G_phi] = e.moduli;
+  const SurfacePoint& f = e.at;
+  const double dv = trial.eps_v - e.eps_v, dw = trial.eps_q - e.eps_q;
+  const Inverse3 frozen({{{-f.p_s * unit, -K * (1 - e.eps_v) * e.exp_v * unit, 0},
+                          {-f.q_s * unit, 3 * G * e.eps_q * e.exp_v * unit, -3 * G * e.exp_v * unit},
+                          {f.n_q_s * dv - f.n_p_s * dw, f.n_q, -f.n_p}}});
+  return Inverse3(e.J).det / frozen.det;
+}
+
+/// The same at the beginning of plastic flow, on the surface at phi_n near the place s.
+template <PlasticModel M>
+double densification_margin(const M& model, double phi_n, double s, double stress_unit) {
+  const auto [m, surface] = properties(model, phi_n);
+  const double at = std::min(std::max(s, surface.s_min()), surface.s_max());
+  const SurfacePoint f = surface.at(at);
+  const double eps_v = volumetric_strain(f.p, m.K);
+  const TrialInvariants yielding{eps_v, f.q / (3 * m.G) * std::exp(eps_v)};
+  return densification_margin(evaluate_return(model, yielding, phi_n, stress_unit, {at, 0, 0}), yielding,
+                              1 / stress_unit);
+}
+
 } // namespace detail
 
 /// Relative residual of the local equations at which a return counts as converged. Newton is quadratic there,
@@ -253,13 +284,23 @@ template <PlasticModel M>
     const double J_e = std::min(std::exp(trial.eps_v), 2.0);
     return std::array{s, trial.eps_v - f.p / m_n.K, trial.eps_q - f.q * J_e / (3 * m_n.G)};
   };
+  // Where the first densification outruns the surface there is no root nearby; one far away is no state that
+  // this strain leads to.
+  const auto start = guess();
+  const auto outrun = [&] {
+    return surface_n.zone(start[0]) == Zone::compaction &&
+           detail::densification_margin(model, phi_n, start[0], stress_unit) <= 0;
+  };
   u.status = Status::plastic;
-  if (!solved_from(guess()) && !solved_from(detail::frozen_return(model, trial, phi_n, 30))) {
+  if (!solved_from(start) && !solved_from(detail::frozen_return(model, trial, phi_n, 30))) {
     u.status = Status::bracketed;
     std::array<double, 3> x;
+    if (outrun()) return u.status = Status::unstable, u;
     if (!detail::bracketed_start(model, trial, phi_n, x) || !solved_from(x))
       return u.status = Status::refused, u;
   }
+  if (e.zone == Zone::compaction && std::abs(trial.eps_v - e.eps_v) > 2 * std::abs(start[1]) && outrun())
+    return u.status = Status::unstable, u;
 
   u.p = e.moduli.K * e.eps_v * e.exp_v;
   u.q = 3 * e.moduli.G * e.eps_q * e.exp_v;
@@ -271,6 +312,8 @@ template <PlasticModel M>
   const detail::Inverse3 inverse(e.J);
   if (!(std::abs(inverse.det) > 0)) return u.status = Status::refused, u;
   const double unit = 1 / stress_unit;
+  if (e.zone == Zone::compaction && detail::densification_margin(e, trial, unit) <= 0)
+    return u.status = Status::unstable, u;
   const auto by_v = inverse.solve({-e.moduli.K * (1 - e.eps_v) * e.exp_v * unit, u.q * unit, 0});
   const auto by_q = inverse.solve({0, -3 * e.moduli.G * e.exp_v * unit, 0});
   constexpr PhiRate rate = M::phi_rate;

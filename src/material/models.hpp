@@ -2,17 +2,25 @@
 // The constitutive models, and the one list that names them. To add a model: a header beside these, and one
 // line below.
 
+#include "material/dpc.hpp"
+#include "material/drucker_prager.hpp"
 #include "material/elastic.hpp"
+#include "material/mohr_coulomb.hpp"
 #include "material/vmdc.hpp"
 #include "material/von_mises.hpp"
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 
 namespace platen::material {
 
-using Model = std::variant<Elastic, VonMises, Vmdc>;
+using Model = std::variant<Elastic, VonMises, Vmdc, DruckerPrager, Dpc, MohrCoulomb>;
+/// How cards name them, in the same order.
+inline constexpr std::array<std::string_view, std::variant_size_v<Model>> model_names = {
+    "elastic", "von-mises", "vmdc", "drucker-prager", "dpc", "mohr-coulomb"};
 
 /// A named material, as a card describes it.
 struct Material {
@@ -25,8 +33,16 @@ struct Material {
 double initial_E(const Model&);
 /// Poisson's ratio of the undeformed material.
 double initial_nu(const Model&);
-/// The stress that makes forces dimensionless, F_bar = F/(pi R0^2 sigma_ref): sigma_y of von Mises (uniaxial)
-/// and of VMDC (hydrostatic, at rho_r0), E of an elastic material (Pa).
+/// The stress that makes forces dimensionless, F_bar = F/(pi R0^2 sigma_ref): sigma_y of von Mises (uniaxial;
+/// with Hollomon hardening kappa) and of VMDC and DPC (hydrostatic, at rho_r0), the uniaxial compressive
+/// strength of Drucker-Prager and Mohr-Coulomb, E of an elastic material (Pa).
 double reference_stress(const Model&);
+
+inline std::string_view model_name(const Model& model) { return model_names[model.index()]; }
+
+/// A vmdc or dpc material on another surface through the same (sigma_y, Gamma, Lambda, epsilon) (Edmans &
+/// Sinka, Table 3 with epsilon as in its DPC row): "vmdc", "dpc", or "von-mises", which takes Gamma for its
+/// yield stress, perfectly plastic. InvalidInput where that cannot be.
+Model run_as(const Model&, std::string_view name);
 
 } // namespace platen::material

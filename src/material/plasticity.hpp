@@ -50,6 +50,7 @@ struct Bounds {
   bool nu = false;      ///< Poisson's ratio held in [0, 0.49]
   bool epsilon = false; ///< cap axis ratio held at its minimum
   bool pi_3 = false;    ///< cap centred at p = 0
+  bool table = false;   ///< hardening table left behind, its last stress held
 };
 
 template <class S>

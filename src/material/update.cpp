@@ -7,9 +7,10 @@
 namespace platen::material {
 namespace {
 
-template <class M> InvariantResponse respond(const M& model, TrialInvariants trial, double phi_n) {
-  if constexpr (PlasticModel<M>) return integrate(model, trial, phi_n);
-  else return elastic_response(model.moduli(phi_n), trial, phi_n);
+template <class M> auto respond(const M& model, const std::array<double, 3>& eps_trial, double phi_n) {
+  if constexpr (PlasticModel<M>) return integrate(model, invariants(eps_trial), phi_n);
+  else if constexpr (requires { model.respond(eps_trial); }) return model.respond(eps_trial);
+  else return elastic_response(model.moduli(phi_n), invariants(eps_trial), phi_n);
 }
 
 /// Principal stresses and their tangent from the invariant response: sigma_A = p + q m_A, m_A = 2 e_A/(3
@@ -32,6 +33,51 @@ void to_principal(const std::array<double, 3>& eps_trial, TrialInvariants trial,
   }
 }
 
+void finish(const std::array<double, 3>& eps_trial, double, const InvariantResponse& u, PointUpdate& out) {
+  const TrialInvariants trial = invariants(eps_trial);
+  to_principal(eps_trial, trial, u, out);
+  out.p = u.p;
+  out.q = u.q;
+  out.phi = u.phi;
+  out.dv = trial.eps_v - u.eps_v;
+  out.dw = trial.eps_q - u.eps_q;
+  out.plastic_work = std::exp(u.eps_v) * (u.p * out.dv + u.q * out.dw);
+  out.status = u.status;
+  out.zone = u.zone;
+}
+
+/// A return in principal stresses need not keep the direction of the deviator: dw is then what the stress
+/// works on, 3G eps_q dw = 2G e : d(e^p).
+void finish(const std::array<double, 3>& eps_trial, double phi_n, const PrincipalResponse& u,
+            PointUpdate& out) {
+  const TrialInvariants elastic = invariants(u.eps);
+  out.sigma = u.sigma;
+  out.eps = u.eps;
+  out.D = u.D;
+  out.p = (u.sigma[0] + u.sigma[1] + u.sigma[2]) / 3;
+  out.q = 1.5 * invariants(u.sigma).eps_q; // sqrt(3/2 s:s)
+  out.dv = invariants(eps_trial).eps_v - elastic.eps_v;
+  double e_de = 0, work = 0;
+  for (int A = 0; A < 3; ++A) {
+    e_de += (u.eps[A] - elastic.eps_v / 3) * (eps_trial[A] - u.eps[A]);
+    work += u.sigma[A] * (eps_trial[A] - u.eps[A]);
+  }
+  out.dw = elastic.eps_q > 0 ? 2.0 / 3 * e_de / elastic.eps_q : 0;
+  out.phi = phi_n - out.dv;
+  out.plastic_work = std::exp(elastic.eps_v) * work;
+  out.status = u.status;
+  out.zone = u.zone;
+}
+
+/// A model whose moduli stay what they are during the step.
+template <class M> struct WithOldModuli {
+  const M& model;
+  Moduli old;
+  static constexpr PhiRate phi_rate = M::phi_rate;
+  Moduli moduli(double) const { return old; }
+  auto surface(double phi) const { return model.surface(phi); }
+};
+
 } // namespace
 
 TrialInvariants invariants(const std::array<double, 3>& eps) {
@@ -47,24 +93,30 @@ UpdateCounts update(const Model& model, std::span<const std::array<double, 3>> e
   std::visit(
       [&](const auto& m) {
         for (std::size_t i = 0; i < out.size(); ++i) {
-          const TrialInvariants trial = invariants(eps_trial[i]);
-          const InvariantResponse u = respond(m, trial, phi_n[i]);
-          to_principal(eps_trial[i], trial, u, out[i]);
-          out[i].p = u.p;
-          out[i].q = u.q;
-          out[i].phi = u.phi;
-          out[i].dv = trial.eps_v - u.eps_v;
-          out[i].dw = trial.eps_q - u.eps_q;
-          out[i].plastic_work = std::exp(u.eps_v) * (u.p * out[i].dv + u.q * out[i].dw);
-          out[i].status = u.status;
-          out[i].zone = u.zone;
-          counts.plastic += u.status == Status::plastic || u.status == Status::bracketed;
-          counts.bracketed += u.status == Status::bracketed;
-          counts.refused += u.status == Status::refused;
+          finish(eps_trial[i], phi_n[i], respond(m, eps_trial[i], phi_n[i]), out[i]);
+          const Status status = out[i].status;
+          counts.plastic += status == Status::plastic || status == Status::bracketed;
+          counts.bracketed += status == Status::bracketed;
+          counts.refused += is_refused(status);
+          counts.unstable += status == Status::unstable;
         }
       },
       model);
   return counts;
+}
+
+PointUpdate update_with_old_moduli(const Model& model, const std::array<double, 3>& eps_trial, double phi_n) {
+  PointUpdate out{};
+  std::visit(
+      [&]<class M>(const M& m) {
+        if constexpr (PlasticModel<M>) {
+          const Moduli now = m.moduli(phi_n);
+          const WithOldModuli<M> lagging{m, {now.K, now.G}};
+          finish(eps_trial, phi_n, respond(lagging, eps_trial, phi_n), out);
+        } else finish(eps_trial, phi_n, respond(m, eps_trial, phi_n), out);
+      },
+      model);
+  return out;
 }
 
 double stored_energy(const Model& model, TrialInvariants elastic, double phi) {
@@ -73,17 +125,31 @@ double stored_energy(const Model& model, TrialInvariants elastic, double phi) {
 }
 
 double plastic_volume_ratio(const Model& model, double phi) {
-  return std::holds_alternative<Vmdc>(model) ? std::exp(-phi) : 1;
+  const bool phi_is_volume = std::visit(
+      []<class M>(const M&) {
+        if constexpr (requires { M::phi_rate; }) return M::phi_rate.v == -1 && M::phi_rate.w == 0;
+        else return false;
+      },
+      model);
+  return phi_is_volume ? std::exp(-phi) : 1;
 }
 
 double relative_density(const Model& model, double phi) {
-  const auto* vmdc = std::get_if<Vmdc>(&model);
-  return vmdc ? vmdc->rho_r(phi) : 1;
+  return std::visit(
+      [phi](const auto& m) {
+        if constexpr (requires { m.rho_r(phi); }) return m.rho_r(phi);
+        else return 1.0;
+      },
+      model);
 }
 
 Bounds active_bounds(const Model& model, double phi) {
-  const auto* vmdc = std::get_if<Vmdc>(&model);
-  return vmdc ? vmdc->bounds(phi) : Bounds{};
+  return std::visit(
+      [phi](const auto& m) {
+        if constexpr (requires { m.bounds(phi); }) return m.bounds(phi);
+        else return Bounds{};
+      },
+      model);
 }
 
 } // namespace platen::material

@@ -26,12 +26,18 @@ struct PointUpdate {
 /// How a batch went.
 struct UpdateCounts {
   long plastic = 0, bracketed = 0, refused = 0;
+  long unstable = 0; ///< of the refused
 };
 
-/// Updates points independently; spans of equal length. Points whose status is `refused` have unspecified
+/// Updates points independently; spans of equal length. Points whose status is a refusal have unspecified
 /// values: the caller must cut its step.
 [[nodiscard]] UpdateCounts update(const Model&, std::span<const std::array<double, 3>> eps_trial,
                                   std::span<const double> phi_n, std::span<PointUpdate>);
+
+/// One point with the moduli of the state before the step, which follow only after it: the explicit scheme
+/// that Edmans & Sinka's implicit one replaces. For comparison.
+[[nodiscard]] PointUpdate update_with_old_moduli(const Model&, const std::array<double, 3>& eps_trial,
+                                                 double phi_n);
 
 /// Stored energy of an elastic strain at a state, (K eps_v^2 + 3G eps_q^2)/2 (J per m^3 of intermediate
 /// volume).

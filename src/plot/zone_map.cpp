@@ -17,6 +17,9 @@ const std::vector<std::string> names = {"elastic", "shear", "compaction", "tensi
 
 } // namespace
 
+std::string zone_colour(press::Zone zone) { return palette[static_cast<std::size_t>(zone)]; }
+std::string zone_name(press::Zone zone) { return names[static_cast<std::size_t>(zone)]; }
+
 void zone_map(const std::vector<press::Snapshot>& snapshots, const std::string& title,
               const std::filesystem::path& file) {
   for (const auto& snapshot : snapshots)

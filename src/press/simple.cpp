@@ -157,6 +157,28 @@ class Press {
     std::snprintf(text, sizeof text, "stopped at delta_bar = %.5g: %s, also in steps of %.0e", delta_bar,
                   why.c_str(), step_min);
     result.failure = text;
+    *result.failure += limit_load();
+  }
+
+  /// Whether the particle, not the iteration, is what gave way: it flows as a whole, or the force has had its
+  /// peak.
+  std::string limit_load() const {
+    constexpr double flowing = 0.9; // of the volume
+    const CurvePoint& row = run.row();
+    double peak = 0;
+    for (const CurvePoint& point : result.curve.points) peak = std::max(peak, point.force_N);
+    const bool dpc = std::holds_alternative<material::Dpc>(press_case.material.model);
+    char text[200];
+    if (row.zone_elastic < 1 - flowing || row.force_N < peak) {
+      std::snprintf(text, sizeof text,
+                    "; %.0f %% of the volume flows%s: the particle has come to its limit load",
+                    100 * (1 - row.zone_elastic), row.force_N < peak ? " and the force falls" : "");
+      return text;
+    }
+    return dpc ? "; the failure line of dpc carries little where Lambda is small against Gamma: run the card "
+                 "with "
+                 "--model vmdc"
+               : "";
   }
 
   const Case& press_case;

@@ -135,7 +135,7 @@ Statistics SphereRun::statistics() const {
 }
 
 std::vector<std::string> SphereRun::flags() const {
-  double reference = 0, rho_r = 0, nu = 0, epsilon = 0, pi_3 = 0;
+  double reference = 0, rho_r = 0, nu = 0, epsilon = 0, pi_3 = 0, table = 0;
   for (int i = 0; i < solid.points(); ++i) {
     const material::Bounds b = material::active_bounds(solid.model, solid.committed[i].phi);
     const double V = solid.volume[i];
@@ -144,6 +144,7 @@ std::vector<std::string> SphereRun::flags() const {
     nu += V * b.nu;
     epsilon += V * b.epsilon;
     pi_3 += V * b.pi_3;
+    table += V * b.table;
   }
   std::vector<std::string> said;
   const auto say = [&](double volume, const char* what) {
@@ -155,6 +156,7 @@ std::vector<std::string> SphereRun::flags() const {
   say(nu, "Poisson's ratio held in [0, 0.49]");
   say(epsilon, "axis ratio of the compaction cap held at its minimum 0.05");
   say(pi_3, "compaction cap centred at p = 0, since epsilon Gamma exceeds sigma_y,");
+  say(table, "strain beyond the end of the hardening table, its last stress held,");
   return said;
 }
 

@@ -44,7 +44,7 @@ case_card() { # MATERIAL LINES...
 # --- help ---
 answers 0 'platen derive' "$platen"
 answers 0 'platen 0.' "$platen" --version
-for command in materials press fit derive; do answers 0 'Example:' "$platen" $command --help; done
+for command in materials point press fit derive; do answers 0 'Example:' "$platen" $command --help; done
 answers 0 'mcc-ph-200' "$platen" materials
 answers 0 'sigma_y_Pa' "$platen" materials mcc-ph-200
 answers 0 '"model": "vmdc"' "$platen" materials mcc-ph-200 --json
@@ -63,6 +63,22 @@ answers 2 'beyond delta_bar_max = 0.2' "$platen" derive base-case --delta_bar_ma
 answers 2 '8 branches at most' "$platen" derive base-case --unload_from .1,.15,.2,.25,.3,.35,.4,.45,.5
 answers 2 "did you mean 'hertz-like'?" "$platen" derive base-case --variant hertzlike
 has_not out
+
+# --- a material point ---
+answers 0 'step,eps_1' "$platen" point base-case --path isotropic
+answers 0 'results in' "$platen" point lead-ludwik --path triaxial --strain 0.5 -o walk
+has walk/point.csv
+has walk/surface.svg
+answers 0 'compaction' "$platen" point mcc-ph-200 --model dpc --path uniaxial-strain --strain -0.1
+printf 'eps_1,eps_2,eps_3\n0,0,0\n-0.01,0,0\n-0.01,0.02,0\n' >strains.csv
+answers 0 'shear' "$platen" point sandstone-wang-3-4 --path strains.csv
+answers 2 "did you mean 'triaxial'?" "$platen" point base-case --path triaxal
+answers 2 '[-3, 3]' "$platen" point base-case --path shear --strain 9
+answers 2 '[1, 1000000]' "$platen" point base-case --path shear --steps 0
+answers 2 'implicit or after-step' "$platen" point base-case --path shear --moduli explicit
+answers 2 'cannot be run as' "$platen" point lead-ludwik --model dpc --path shear
+printf 'eps_1,eps_2,eps_3\n' >strains.csv
+answers 2 'no row' "$platen" point base-case --path strains.csv
 
 # --- cards ---
 answers 2 'there is no such file' "$platen" derive missing.toml -o out

@@ -24,23 +24,37 @@ std::vector<double> dense_tangent(const fe::AxisymmetricSolid& solid) {
   return K;
 }
 
-/// Largest error of the tangent against fourth-order differences of the forces, over its largest entry.
+std::vector<material::Zone> zones(const fe::AxisymmetricSolid& solid) {
+  std::vector<material::Zone> list;
+  for (const auto& point : solid.updates) list.push_back(point.zone);
+  return list;
+}
+
+/// Largest error of the tangent against fourth-order differences of the forces, over its largest entry; where
+/// a point changes its zone between them there is no derivative to compare with.
 double tangent_error(fe::AxisymmetricSolid& solid, std::vector<double> u, double h) {
   EXPECT_EQ(solid.evaluate(u), fe::Evaluation::done);
   const int n = solid.unknowns();
   const std::vector<double> exact = dense_tangent(solid);
   double scale = 0, error = 0;
   for (const double entry : exact) scale = std::max(scale, std::abs(entry));
+  const auto zones_here = zones(solid);
+  int compared = 0;
   for (int j = 0; j < n; ++j) {
+    bool smooth = true;
     std::vector<double> slope(n);
     for (const auto& [step, weight] : {std::pair{-2.0, 1.0}, {-1.0, -8.0}, {1.0, 8.0}, {2.0, -1.0}}) {
       auto x = u;
       x[j] += step * h;
       EXPECT_EQ(solid.evaluate(x), fe::Evaluation::done);
       for (int i = 0; i < n; ++i) slope[i] += weight * solid.force[i] / (12 * h);
+      smooth = smooth && zones(solid) == zones_here;
     }
+    if (!smooth) continue;
+    ++compared;
     for (int i = 0; i < n; ++i) error = std::max(error, std::abs(slope[i] - exact[i * n + j]));
   }
+  EXPECT_GT(compared, n / 2);
   return error / scale;
 }
 
@@ -87,6 +101,8 @@ TEST(AxisymmetricSolid, ElasticTangentIsSymmetric) {
 TEST(AxisymmetricSolid, PlasticTangentMatchesDifferences) {
   for (const material::Model& model :
        {material::Model(material::VonMises{100, 0.3, 1}),
+        material::Model(material::VonMises{100, 0.3, 1, material::Ludwik{3, 0.35}}),
+        material::Model(material::DruckerPrager{100, 0.2, 30, 1, 20}),
         material::Model(material::Vmdc{0.7, 1, 100, 0.3, 1, 0.1, 0.7, 10, 7.5, 10, 10, 0.4, 1.5})}) {
     fe::AxisymmetricSolid solid(fe::quarter_disc(40), model);
     // A plastic state first, then a further increment, so that C_p is no identity.
@@ -94,7 +110,7 @@ TEST(AxisymmetricSolid, PlasticTangentMatchesDifferences) {
     ASSERT_EQ(solid.evaluate(u), fe::Evaluation::done);
     solid.commit();
     for (std::size_t i = 0; i < u.size(); ++i) u[i] *= 1.15;
-    EXPECT_LT(tangent_error(solid, u, 2e-6), 1e-6);
+    EXPECT_LT(tangent_error(solid, u, 2e-6), 1e-6) << model.index();
   }
 }
 

@@ -99,13 +99,6 @@ TEST(MaterialCard, RefusesAVmdcOutsideItsRangeAtTheReferenceDensity) {
             std::string::npos);
 }
 
-TEST(MaterialCard, SaysWhatIsNotAvailableYet) {
-  EXPECT_EQ(refusal(with(von_mises, "von-mises", "dpc")),
-            "m.toml, line 3: model = \"dpc\" is not available yet; available are: elastic, von-mises, vmdc");
-  EXPECT_NE(refusal(von_mises + "hardening = { kind = \"hollomon\" }").find("perfectly plastic"),
-            std::string::npos);
-}
-
 TEST(MaterialCard, RefusesAnUnknownModelFormatOrSection) {
   EXPECT_EQ(refusal(with(von_mises, "von-mises", "von-mise")),
             "m.toml, line 3: model = \"von-mise\": there is no such model; did you mean 'von-mises'?");

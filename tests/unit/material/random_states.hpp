@@ -21,18 +21,60 @@ inline std::vector<Vmdc> corner_materials() {
   return all;
 }
 
+/// Metals with every kind of hardening; stresses in units of about the yield stress.
+inline std::vector<VonMises> metals() {
+  const auto hollomon = [](double E, double kappa, double inverse_m) {
+    const Hollomon h{kappa, inverse_m};
+    return VonMises{E, 0.3, initial_yield_stress(h, E, 0), h};
+  };
+  return {{100, 0.3, 1},
+          {100, 0.3, 1, ExponentialHardening{2}},
+          {100, 0.3, 1, ExponentialHardening{-0.5}},
+          hollomon(1000, 1, 0.25),
+          hollomon(1000, 1, 0.99996),          // Shahin, Table E.1, die, last row
+          {2000, 0.435, 1, Ludwik{3.1, 0.35}}, // his lead with the yield stress of ERRATA
+          {1000, 0.3, 1, Ludwik{2, 1.5}},
+          {1000, 0.3, 1, HardeningTable{{0, 0.01, 0.1, 0.5}, {1, 1.4, 1.8, 1.7}}}};
+}
+
+/// Wang et al., Table 1, its middle row, associated and not; stresses in units of sigma_c.
+inline std::vector<DruckerPrager> rocks() {
+  const double beta = DruckerPrager::beta_of_friction(30);
+  return {
+      {1000, 0.2, beta, 1, beta}, {1000, 0.2, beta, 1, 10}, {1000, 0.2, beta, 1, 0}, {1000, 0.2, 5, 1, 5}};
+}
+
+/// Drucker-Prager Caps through the points of the corner materials whose cap is shorter than sigma_y.
+inline std::vector<Dpc> caps(bool published_flow = false) {
+  std::vector<Dpc> all;
+  for (const auto& m : corner_materials()) all.push_back(Dpc::through(m, published_flow));
+  return all;
+}
+
 struct Trial {
   std::array<double, 3> eps;
   double phi;
 };
 
-/// A stress inside the surface at a random density, plus an increment of random size up to `increment_max`.
-inline Trial random_trial(const Vmdc& m, std::mt19937& generator, double increment_max) {
+/// A place on the surface; where that goes on without end, at a pressure of the size of the strength.
+template <class Surface> double random_place(const Surface& f, double unit) {
+  return f.s_min() + (f.s_max() - f.s_min()) * unit;
+}
+inline double random_place(const VonMises::Surface& f, double unit) { return f.sigma_y * (6 * unit - 3); }
+inline double random_place(const DruckerPrager::Surface& f, double unit) { return f.d * (6 * unit - 1); }
+
+/// The states at which a material is looked at.
+template <class M> std::array<double, 2> states(const M&) { return {-0.5, 0.35}; }
+inline std::array<double, 2> states(const VonMises&) { return {0, 0.35}; }
+
+/// A stress inside the surface at a random state, plus an increment of random size up to `increment_max`.
+template <PlasticModel M> Trial random_trial(const M& m, std::mt19937& generator, double increment_max) {
   std::uniform_real_distribution<double> unit(0, 1), sign(-1, 1);
-  Trial trial{{}, -0.5 + 0.85 * unit(generator)};
+  const auto [first, last] = states(m);
+  Trial trial{{}, first + (last - first) * unit(generator)};
   const auto surface = m.surface(trial.phi);
   const Moduli moduli = m.moduli(trial.phi);
-  const SurfacePoint f = surface.at(surface.s_min() + (surface.s_max() - surface.s_min()) * unit(generator));
+  const SurfacePoint f = surface.at(random_place(surface, unit(generator)));
   const double inside = unit(generator), lode = 2 * 3.14159265358979 * unit(generator);
   const double size = increment_max * std::pow(10, -3 * unit(generator));
   for (int A = 0; A < 3; ++A)

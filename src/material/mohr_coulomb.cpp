@@ -1,0 +1,190 @@
+#include "material/mohr_coulomb.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <numbers>
+
+namespace platen::material {
+namespace {
+
+using Vector = std::array<double, 3>;
+using Matrix = std::array<Vector, 3>;
+
+constexpr double degree = std::numbers::pi / 180;
+
+double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+/// One plane of the yield surface: normal . sigma <= limit, flow along `flow`.
+struct Plane {
+  Vector normal, flow;
+  double limit;
+  bool tension;
+};
+
+/// For stresses in descending order: the shear planes of sigma_1 and sigma_3, 1 and 2, 2 and 3, and the
+/// cut-off of each stress.
+enum { shear_13, shear_12, shear_23, cut_1, cut_2, cut_3, planes_count };
+
+/// Where the stress may end: a plane, an edge, a corner. At the corner sigma_1 = sigma_2 = T_0 four planes
+/// meet, of which three carry the flow.
+constexpr std::initializer_list<std::initializer_list<int>> places = {
+    {shear_13},
+    {cut_1},
+    {shear_13, shear_12},
+    {shear_13, shear_23},
+    {cut_1, cut_2},
+    {shear_13, cut_1},
+    {shear_13, shear_12, cut_1},
+    {shear_13, shear_23, cut_1},
+    {shear_13, shear_23, cut_2},
+    {shear_13, cut_1, cut_2},
+    {shear_23, cut_1, cut_2},
+    {cut_1, cut_2, cut_3},
+};
+
+std::array<Plane, planes_count> planes(const MohrCoulomb& m) {
+  const double sin_phi = std::sin(m.phi_deg * degree), sin_psi = std::sin(m.psi_deg * degree);
+  const double limit = 2 * m.cohesion * std::cos(m.phi_deg * degree);
+  const auto shear = [&](int i, int j) {
+    Plane plane{{}, {}, limit, false};
+    plane.normal[i] = 1 + sin_phi, plane.normal[j] = sin_phi - 1;
+    plane.flow[i] = 1 + sin_psi, plane.flow[j] = sin_psi - 1;
+    return plane;
+  };
+  const auto cut = [&](int i) {
+    Plane plane{{}, {}, m.cutoff, true};
+    plane.normal[i] = plane.flow[i] = 1;
+    return plane;
+  };
+  return {shear(0, 2), shear(0, 1), shear(1, 2), cut(0), cut(1), cut(2)};
+}
+
+struct Elastic3 {
+  double lambda, G;
+  Vector stress(const Vector& eps) const {
+    const double v = eps[0] + eps[1] + eps[2], exp_v = std::exp(-v);
+    Vector sigma;
+    for (int A = 0; A < 3; ++A) sigma[A] = (lambda * v + 2 * G * eps[A]) * exp_v;
+    return sigma;
+  }
+  Matrix tangent(const Vector& eps, const Vector& sigma) const {
+    const double exp_v = std::exp(-eps[0] - eps[1] - eps[2]);
+    Matrix D;
+    for (int A = 0; A < 3; ++A)
+      for (int B = 0; B < 3; ++B) D[A][B] = (lambda + (A == B) * 2 * G) * exp_v - sigma[A];
+    return D;
+  }
+};
+
+/// Normal . D . flow of the active planes, filled up to 3x3 by the identity, as an inverse.
+detail::Inverse3 coupling(const std::array<const Plane*, 3>& active, const Matrix& D) {
+  Matrix M{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  for (int k = 0; k < 3 && active[k]; ++k)
+    for (int l = 0; l < 3 && active[l]; ++l) {
+      M[k][l] = 0;
+      for (int A = 0; A < 3; ++A) M[k][l] += active[k]->normal[A] * dot(D[A], active[l]->flow);
+    }
+  return detail::Inverse3(M);
+}
+
+struct Return {
+  Vector eps, sigma, multipliers{};
+  Matrix D;
+};
+
+/// The return to the intersection of the active planes by Newton on the multipliers; false where it fails.
+bool solve(const Elastic3& elastic, const Vector& trial, const std::array<const Plane*, 3>& active,
+           double stress_tolerance, Return& r) {
+  constexpr int iterations_max = 30;
+  r.multipliers = {};
+  for (int i = 0; i < iterations_max; ++i) {
+    r.eps = trial;
+    for (int k = 0; k < 3 && active[k]; ++k)
+      for (int A = 0; A < 3; ++A) r.eps[A] -= r.multipliers[k] * active[k]->flow[A];
+    r.sigma = elastic.stress(r.eps);
+    r.D = elastic.tangent(r.eps, r.sigma);
+    Vector gap{};
+    for (int k = 0; k < 3 && active[k]; ++k) gap[k] = dot(active[k]->normal, r.sigma) - active[k]->limit;
+    const double largest = std::max({std::abs(gap[0]), std::abs(gap[1]), std::abs(gap[2])});
+    if (!std::isfinite(largest)) return false;
+    if (largest <= stress_tolerance) return true;
+    const Vector change = coupling(active, r.D).solve(gap);
+    for (int k = 0; k < 3 && active[k]; ++k) r.multipliers[k] += change[k];
+  }
+  return false;
+}
+
+} // namespace
+
+double MohrCoulomb::reference_stress() const {
+  return 2 * cohesion * std::cos(phi_deg * degree) / (1 - std::sin(phi_deg * degree));
+}
+
+double MohrCoulomb::excess(const Vector& sigma) const {
+  const auto [low, high] = std::minmax_element(sigma.begin(), sigma.end());
+  const double sin_phi = std::sin(phi_deg * degree);
+  return std::max(*high * (1 + sin_phi) - *low * (1 - sin_phi) - 2 * cohesion * std::cos(phi_deg * degree),
+                  *high - cutoff);
+}
+
+PrincipalResponse MohrCoulomb::respond(const Vector& eps_trial) const {
+  constexpr double relative_stress_tolerance = 1e-12, relative_outside_tolerance = 1e-10;
+  const Moduli m = moduli(0);
+  const Elastic3 elastic{m.K - 2 * m.G / 3, m.G};
+  std::array<int, 3> order{0, 1, 2};
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return eps_trial[a] > eps_trial[b]; });
+  const Vector trial{eps_trial[order[0]], eps_trial[order[1]], eps_trial[order[2]]};
+  const auto all = planes(*this);
+
+  Return r{trial, elastic.stress(trial), {}, {}};
+  r.D = elastic.tangent(trial, r.sigma);
+  const double stress = std::max({std::abs(r.sigma[0]), std::abs(r.sigma[2]), cutoff});
+  const auto inside = [&](const Vector& sigma, double tolerance) {
+    return std::all_of(all.begin(), all.end(),
+                       [&](const Plane& f) { return dot(f.normal, sigma) - f.limit <= tolerance; });
+  };
+
+  PrincipalResponse out;
+  std::array<const Plane*, 3> active{};
+  if (!inside(r.sigma, 0)) {
+    out.status = Status::refused;
+    if (!std::isfinite(stress)) return out;
+    for (const auto& place : places) {
+      active = {};
+      std::transform(place.begin(), place.end(), active.begin(), [&](int k) { return &all[k]; });
+      if (!solve(elastic, trial, active, relative_stress_tolerance * stress, r)) continue;
+      const double least = *std::min_element(r.multipliers.begin(), r.multipliers.end());
+      if (least < -relative_outside_tolerance * stress / m.G) continue;
+      if (!inside(r.sigma, relative_outside_tolerance * stress)) continue;
+      out.status = Status::plastic;
+      break;
+    }
+    if (out.status == Status::refused) return out;
+  }
+
+  // D - D flow (normal D flow)^-1 normal D
+  Matrix tangent = r.D;
+  if (active[0]) {
+    const auto inverse = coupling(active, r.D);
+    for (int B = 0; B < 3; ++B) {
+      Vector rise{};
+      for (int k = 0; k < 3 && active[k]; ++k)
+        for (int A = 0; A < 3; ++A) rise[k] += active[k]->normal[A] * r.D[A][B];
+      const Vector rate = inverse.solve(rise);
+      for (int A = 0; A < 3; ++A)
+        for (int k = 0; k < 3 && active[k]; ++k) tangent[A][B] -= rate[k] * dot(r.D[A], active[k]->flow);
+    }
+    out.zone = Zone::shear;
+    for (int k = 0; k < 3 && active[k]; ++k)
+      if (active[k]->tension) out.zone = Zone::tension;
+  }
+  for (int A = 0; A < 3; ++A) {
+    out.sigma[order[A]] = r.sigma[A];
+    out.eps[order[A]] = r.eps[A];
+    for (int B = 0; B < 3; ++B) out.D[order[A]][order[B]] = tangent[A][B];
+  }
+  return out;
+}
+
+} // namespace platen::material
