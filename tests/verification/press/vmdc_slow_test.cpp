@@ -63,10 +63,18 @@ TEST(SimplePress, RunsCompressibleMaterialsWithOneSetOfDefaults) {
 
 TEST(SimplePress, BalancesEnergyOfAMetal) { expect_energy_balance(pressed(metal)); }
 
-TEST(SimplePress, DependsOnTheStepByLessThanOnePercent) {
-  const auto coarse = pressed(metal, 2500), fine = pressed(metal, 2500, 0.00125);
-  for (const double delta_bar : {0.1, 0.2, 0.3, 0.4, 0.5})
-    EXPECT_NEAR(F_bar(coarse, delta_bar) / F_bar(fine, delta_bar), 1, 0.01) << delta_bar;
+TEST(SimplePress, DependsOnTheStepByLessThanHalfAPercent) {
+  // 200 against 465 steps for a metal, 160 against 465 for a softening granule: the flow is of second order
+  // in the step. (Of first order, as before, the granule was 1.2 % too soft at 0.5.)
+  for (const auto& [material, step_max] : {std::pair{metal, 0.005}, {base_case, 0.02}}) {
+    const auto coarse = pressed(material, 2500, step_max), fine = pressed(material, 2500, 0.00125);
+    double worst = 0;
+    for (const double delta_bar : {0.1, 0.2, 0.3, 0.4, 0.5})
+      worst = std::max(worst, std::abs(F_bar(coarse, delta_bar) / F_bar(fine, delta_bar) - 1));
+    std::printf("%s: %d against %d steps: force within %.2f %%\n", material.name.c_str(),
+                coarse.statistics.steps, fine.statistics.steps, 100 * worst);
+    EXPECT_LT(worst, 0.005) << material.name;
+  }
 }
 
 TEST(SimplePress, ConvergesForASofteningCompressibleSphere) {

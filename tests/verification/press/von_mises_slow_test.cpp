@@ -20,9 +20,13 @@ const press::CurvePoint& row_at(const press::Curve& curve, double delta_bar) {
 } // namespace
 
 TEST(SimplePress, VonMisesAgreesWithCalculiX) {
-  // CalculiX 2.20, three meshes and two element types; force +- 1 %, radius +- 2 %: F/(pi R^2 sigma_y) and
-  // a/R of a perfectly plastic sphere, E/sigma_y = 100, nu = 0.3, yield in Cauchy stress.
-  constexpr double table[][3] = {{0.02, 0.0785, 0.185}, {0.05, 0.2209, 0.310}, {0.1, 0.423, 0.444},
+  // CalculiX, F/(pi R^2 sigma_y) and a/R of a perfectly plastic sphere, E/sigma_y = 100, nu = 0.3, yield in
+  // Cauchy stress. From 0.2 on: version 2.20, extrapolated from three meshes and two element types, force +-
+  // 1 %, radius +- 2 %. Below, the forces of that study (0.0785, 0.2209, 0.423) are too low, because they
+  // come from increments of 0.005: a quarter of the first delta_bar, and its return mapping is of first
+  // order. The forces here are those of 2.20 on our default mesh with increments of 1 % of delta_bar
+  // (bench/peers).
+  constexpr double table[][3] = {{0.02, 0.0791, 0.185}, {0.05, 0.2231, 0.310}, {0.1, 0.4292, 0.444},
                                  {0.2, 0.611, 0.597},   {0.3, 0.749, 0.711},   {0.4, 0.939, 0.834},
                                  {0.5, 1.175, 0.981}};
   press::Case c;
