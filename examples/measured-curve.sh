@@ -5,7 +5,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 out=${2:-$(mktemp -d)} # where results go
 
 # A measured curve has two columns; here they are cut from a press, so that the example needs no data.
-"$platen" derive mcc-ph-200 -o "$out/press" --elements 400 >/dev/null
+"$platen" derive mcc-ph-200 -o "$out/press" --elements 400 --unload_from none >/dev/null
 awk -F, '/^#/ { next } !columns++ { for (i = 1; i <= NF; ++i) at[$i] = i; print "delta_m,force_N"; next }
   { print $at["delta_m"] "," $at["force_N"] }' "$out/press/curve.csv" >"$out/measured.csv"
 

@@ -1,10 +1,14 @@
 #include "app/commands.hpp"
 #include "app/fit_report.hpp"
 #include "app/press_into.hpp"
+#include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/number.hpp"
+#include "fit/edmans_sinka_card.hpp"
 #include "material/card.hpp"
 #include "press/case_card.hpp"
 #include "press/curve_csv.hpp"
+#include "press/tension.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -15,7 +19,7 @@ namespace platen::app {
 namespace {
 
 struct Options {
-  std::string material, folder = "out", variant = "published", model;
+  std::string material, folder = "out", variant = "published", unload_from, model;
   press::Case press_case;
   bool json = false;
 };
@@ -25,26 +29,59 @@ std::vector<double> moments(double delta_bar_max) {
   return {0.2 * delta_bar_max, 0.6 * delta_bar_max, delta_bar_max};
 }
 
+/// Five branches show how alpha and beta change with the overlap (ES Fig. 15).
+std::vector<double> fifths(double delta_bar_max) {
+  std::vector<double> list;
+  for (int i = 1; i < 5; ++i) // in digits that a person would write
+    list.push_back(core::number_from(fmt::format("{:.6g}", delta_bar_max * i / 5)).value());
+  list.push_back(delta_bar_max);
+  return list;
+}
+
+/// "0.1,0.3"; "none" for a law that unloads generically; empty: fifths.
+std::vector<double> unloading(const std::string& text, double delta_bar_max) {
+  if (text.empty()) return fifths(delta_bar_max);
+  std::vector<double> list;
+  if (text == "none") return list;
+  for (const auto& part : law::detail::split(text, ',')) {
+    const auto number = core::number_from(part);
+    if (!number)
+      throw core::InvalidInput(fmt::format(
+          "--unload_from {}: '{}' is not a number; write 0.1,0.3 (in units of the radius), or none", text,
+          part));
+    list.push_back(*number);
+  }
+  constexpr std::size_t most = law::EdmansSinkaMaterial::most_unloadings;
+  if (list.size() > most)
+    throw core::InvalidInput(fmt::format(
+        "--unload_from {}: a law card holds {} branches at most, these are {}", text, most, list.size()));
+  return list;
+}
+
 void derive(const Options& o) {
+  check_variant(o.variant);
   press::Case c = o.press_case;
   c.material = material::read_card(o.material).material;
   if (!o.model.empty()) c.material.model = material::run_as(c.material.model, o.model);
+  c.unload_from = unloading(o.unload_from, c.delta_bar_max);
   press::validate(c);
   c.fields_at = moments(c.delta_bar_max);
 
   const OutputFolder folder(o.folder);
-  const auto result = press_into(c, folder);
-  const auto fitted = fit::fit_edmans_sinka(result.curve, o.variant);
-  draw_fit(result.curve, fitted, folder / "curve.svg");
-  core::write_file(folder / "law.toml", law_card(result.curve, fitted, press::curve_csv(result.curve)));
+  const auto result = press_into(c, folder, Fields::pictures);
   print_flags(result);
+  const FittedLaw law = fit_law(result.curve, o.variant);
+  core::write_file(folder / "law.toml", text_of(fit::law_card(result.curve, law.loading, law.unloading,
+                                                              press::curve_csv(result.curve))));
+  draw_fit(result.curve, law, folder / "curve.svg");
   if (o.json) {
-    fmt::print("{}", fit_json(result.curve, fitted));
+    fmt::print("{}", fit_json(result.curve, law));
     return;
   }
   const std::string at = folder.path().string();
-  fmt::print("{}: pressed to delta_bar = {:.4g} in {:.1f} s\n{}", c.material.name, c.delta_bar_max,
-             result.statistics.total_s, fit_words(fitted));
+  fmt::print("{}: pressed to delta_bar = {:.4g} in {:.1f} s; {}\n{}", c.material.name, c.delta_bar_max,
+             result.statistics.total_s, press::tension_words(result.curve, c.material.tensile_strength),
+             fit_words(law));
   fmt::print("  law card       {0}/law.toml\n  curve          {0}/curve.csv, with the law {0}/curve.svg\n"
              "  plastic zones  {0}/zones.svg\n  input, summary {0}/case.toml, {0}/summary.json\n",
              at);
@@ -57,9 +94,13 @@ void add_derive(CLI::App& program) {
   auto o = std::make_shared<Options>();
   command->add_option("MATERIAL", o->material, "material card, or a name in the catalogue")->required();
   command->add_option("-o", o->folder, "folder for the results")->type_name("DIR")->capture_default_str();
-  command->add_option("--variant", o->variant, "form of the law")->type_name("V")->capture_default_str();
   command->add_option("--model", o->model, "run a vmdc or dpc card as vmdc, dpc, dpc-published or von-mises")
       ->type_name("NAME");
+  command->add_option("--variant", o->variant, variant_help)->type_name("V")->capture_default_str();
+  command
+      ->add_option("--unload_from", o->unload_from,
+                   "delta/R0 from which branches unload: 0.1,0.3; none; default: five, up to delta_bar_max")
+      ->type_name("LIST");
   command->add_option("--radius_m", o->press_case.radius_m, "radius; the law does not depend on it")
       ->type_name("NUMBER")
       ->capture_default_str();

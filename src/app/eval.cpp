@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/number.hpp"
+#include "core/say.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -84,8 +85,8 @@ void eval(const Options& options) {
     rows.push_back({overlap, response});
   }
   if (outside > 0)
-    fmt::print(stderr, "platen: warning: {} of {} points are outside the validity of the law ({})\n", outside,
-               rows.size(), law::find_law(card.law).validity);
+    core::say(fmt::format("platen: warning: {} of {} points are outside the validity of the law ({})\n",
+                          outside, rows.size(), law::find_law(card.law).validity));
   const std::string text = options.json ? json_of(card, rows) : csv_of(rows);
   if (options.output.empty()) fmt::print("{}", text);
   else core::write_file(options.output, text);

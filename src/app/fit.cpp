@@ -4,6 +4,8 @@
 #include "core/file.hpp"
 #include "core/nearest.hpp"
 #include "core/number.hpp"
+#include "core/say.hpp"
+#include "fit/edmans_sinka_card.hpp"
 #include "press/curve_csv.hpp"
 
 #include <CLI/CLI.hpp>
@@ -46,14 +48,13 @@ void complete(press::Curve& curve, const Options& o) {
   for (const auto& point : curve.points) F_max = std::max(F_max, point.force_N);
   if (F_max > 0)
     press::set_reference_stress(curve, F_max / (std::numbers::pi * curve.radius_m * curve.radius_m));
-  fmt::print(
-      stderr,
+  core::say(fmt::format(
       "note: {} says no reference stress; took the largest force over the mid-section, sigma_ref_Pa = {}; "
       "give the yield stress with --sigma_ref_Pa\n",
-      o.curve, core::number_text(curve.sigma_ref_Pa));
+      o.curve, core::number_text(curve.sigma_ref_Pa)));
 }
 
-void fit_law(const Options& o) {
+void fit_curve(const Options& o) {
   if (o.law != "edmans-sinka")
     throw core::InvalidInput(
         fmt::format("--law {}: there is no such law to fit{}", o.law, core::suggestion(o.law, laws)));
@@ -64,10 +65,12 @@ void fit_law(const Options& o) {
         fmt::format("{} says no elasticity, which a law card needs for unloading; give --E_Pa and "
                     "--nu, or leave out -o",
                     o.curve));
-  const auto fitted = fit::fit_edmans_sinka(curve, o.variant);
-  if (!o.card.empty()) core::write_file(o.card, law_card(curve, fitted, core::read_file(o.curve)));
-  if (!o.picture.empty()) draw_fit(curve, fitted, o.picture);
-  fmt::print("{}", o.json ? fit_json(curve, fitted) : fit_words(fitted));
+  const FittedLaw law = fit_law(curve, o.variant);
+  if (!o.card.empty())
+    core::write_file(o.card,
+                     text_of(fit::law_card(curve, law.loading, law.unloading, core::read_file(o.curve))));
+  if (!o.picture.empty()) draw_fit(curve, law, o.picture);
+  fmt::print("{}", o.json ? fit_json(curve, law) : fit_words(law));
 }
 
 } // namespace
@@ -77,7 +80,7 @@ void add_fit(CLI::App& program) {
   auto o = std::make_shared<Options>();
   command->add_option("CURVE.csv", o->curve, "curve.csv of a press, or columns delta_m,force_N")->required();
   command->add_option("--law", o->law, "law to fit: edmans-sinka")->required()->type_name("NAME");
-  command->add_option("--variant", o->variant, "form of the law")->type_name("V")->capture_default_str();
+  command->add_option("--variant", o->variant, variant_help)->type_name("V")->capture_default_str();
   command->add_option("-o", o->card, "write the law card here")->type_name("LAW.toml");
   command->add_option("--picture", o->picture, "draw curve, law and residual: .svg or .png")
       ->type_name("FILE");
@@ -90,7 +93,7 @@ void add_fit(CLI::App& program) {
   command->add_flag("--json", o->json, "for a machine to read");
   command->footer("Example: platen fit out/curve.csv --law edmans-sinka -o law.toml\n"
                   "         platen fit measured.csv --radius_m 0.5e-3 --law edmans-sinka");
-  command->callback([o] { fit_law(*o); });
+  command->callback([o] { fit_curve(*o); });
 }
 
 } // namespace platen::app

@@ -1,7 +1,8 @@
 #pragma once
-// A fitted law told three ways: as a law card, as words, as JSON. What `fit` and `derive` share.
+// A law fitted to a curve, told in words, as JSON, as a picture. What `fit` and `derive` share.
 
 #include "fit/edmans_sinka.hpp"
+#include "fit/unloading.hpp"
 #include "press/curve.hpp"
 
 #include <filesystem>
@@ -9,16 +10,28 @@
 
 namespace platen::app {
 
-/// The law card. `curve_text`: the curve.csv that was fitted, for its fingerprint.
-std::string law_card(const press::Curve&, const fit::EdmansSinkaFit&, const std::string& curve_text);
+inline constexpr const char* variant_help =
+    "form of the law: published, c1, hertz-like; best: whichever of them fits best";
+
+struct FittedLaw {
+  fit::EdmansSinkaFit loading;
+  fit::UnloadingFits unloading;
+  std::string verdict; ///< which form fits best, and by how much; empty where the form was given
+};
+
+/// InvalidInput unless `variant` is a form to fit, or "best"; to be asked before a press.
+void check_variant(const std::string& variant);
+
+/// Loading and unloading branches of the curve. Branches that cannot be fitted are named on standard error.
+FittedLaw fit_law(const press::Curve&, const std::string& variant);
 
 /// A few lines for people.
-std::string fit_words(const fit::EdmansSinkaFit&);
+std::string fit_words(const FittedLaw&);
 
 /// A JSON object.
-std::string fit_json(const press::Curve&, const fit::EdmansSinkaFit&);
+std::string fit_json(const press::Curve&, const FittedLaw&);
 
-/// Curve, law and residual.
-void draw_fit(const press::Curve&, const fit::EdmansSinkaFit&, const std::filesystem::path&);
+/// Curve, law and residual; the unloading branches with their law.
+void draw_fit(const press::Curve&, const FittedLaw&, const std::filesystem::path&);
 
 } // namespace platen::app

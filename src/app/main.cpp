@@ -2,6 +2,7 @@
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "core/nearest.hpp"
+#include "core/say.hpp"
 #include "core/version.hpp"
 
 #include <CLI/CLI.hpp>
@@ -10,6 +11,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <new>
+#include <system_error>
 
 namespace {
 
@@ -19,7 +21,7 @@ using namespace platen;
 enum Exit { done = 0, fault = 1, bad_input = 2, not_converged = 3, input_output = 4, interrupted = 130 };
 
 int give_up(Exit code, std::string_view why) {
-  fmt::print(stderr, "platen: {}\n", why);
+  core::say(fmt::format("platen: {}\n", why));
   return code;
 }
 
@@ -77,6 +79,8 @@ int main(int argc, char** argv) {
     status = give_up(interrupted, error.what());
   } catch (const std::filesystem::filesystem_error& error) {
     status = give_up(input_output, error.what());
+  } catch (const std::system_error& error) { // of fmt::print
+    status = give_up(input_output, fmt::format("the output could not be written: {}", error.what()));
   } catch (const std::bad_alloc&) {
     status = give_up(input_output, "the memory of this machine does not suffice; ask for fewer elements");
   } catch (const std::exception& error) {

@@ -25,7 +25,7 @@ Json json_of(const material::Card& card) {
                  {"name", card.material.name},
                  {"model", material::model_name(card.material.model)},
                  {"file", card.file}};
-  for (const auto& parameter : material::parameters(card.material.model))
+  for (const auto& parameter : material::parameters(card.material))
     object["parameters"][parameter.key] = parameter.value;
   for (const auto& [key, source] : card.sources) object["source"][key] = source;
   return object;
@@ -34,7 +34,7 @@ Json json_of(const material::Card& card) {
 void print_card(const material::Card& card) {
   fmt::print("{}: model {}, from {}\n\n", card.material.name, material::model_name(card.material.model),
              card.file);
-  for (const auto& parameter : material::parameters(card.material.model))
+  for (const auto& parameter : material::parameters(card.material))
     fmt::print("  {:<12} {:<12} {}\n", parameter.key, core::number_text(parameter.value), parameter.meaning);
   for (const auto& [key, source] : card.sources) fmt::print("\n  source ({}): {}", key, source);
   if (!card.sources.empty()) fmt::print("\n");

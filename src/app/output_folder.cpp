@@ -9,6 +9,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <string>
+#include <vector>
 
 namespace platen::app {
 
@@ -32,6 +34,15 @@ void OutputFolder::forget(std::initializer_list<std::string_view> names) const {
     std::error_code error;
     std::filesystem::remove(path_ / name, error);
   }
+}
+
+void OutputFolder::forget_series(std::string_view start, std::string_view end) const {
+  std::error_code error;
+  std::vector<std::filesystem::path> found;
+  for (const auto& entry : std::filesystem::directory_iterator(path_, error))
+    if (const auto name = entry.path().filename().string(); name.starts_with(start) && name.ends_with(end))
+      found.push_back(entry.path());
+  for (const auto& file : found) std::filesystem::remove(file, error);
 }
 
 } // namespace platen::app

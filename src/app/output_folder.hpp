@@ -20,6 +20,8 @@ class OutputFolder {
 
   /// Removes results of an earlier run before new ones are written, lest they seem to belong together.
   void forget(std::initializer_list<std::string_view> names) const;
+  /// The same for all files whose names start and end so.
+  void forget_series(std::string_view start, std::string_view end) const;
 
  private:
   std::filesystem::path path_;

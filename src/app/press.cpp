@@ -2,6 +2,7 @@
 #include "app/press_into.hpp"
 #include "press/case_card.hpp"
 #include "press/summary.hpp"
+#include "press/tension.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -24,25 +25,28 @@ void press(const Options& options) {
   auto c = press::read_case(options.card);
   if (!options.model.empty()) c.material.model = material::run_as(c.material.model, options.model);
   const OutputFolder folder(options.folder);
-  const auto result = press_into(c, folder);
+  const auto result = press_into(c, folder, Fields::pictures_and_vtu);
   print_flags(result);
   if (options.json) {
     fmt::print("{}", press::summary_json(c, result));
     return;
   }
-  const auto& last = result.curve.points.back();
-  fmt::print("{}: {} points up to delta_bar = {:.4g}, F_bar = {:.4g} (F = {:.4g} N), contact radius {:.4g} "
-             "R, in {:.1f} s\n"
-             "results in {}\n",
-             c.material.name, result.curve.points.size(), last.delta_bar, last.F_bar, last.force_N,
-             last.contact_radius_m / c.radius_m, result.statistics.total_s, folder.path().string());
+  const auto& last = *press::loading_end(result.curve);
+  fmt::print(
+      "{}: {} points, loaded to delta_bar = {:.4g}, F_bar = {:.4g} (F = {:.4g} N), contact radius {:.4g} "
+      "R, in {:.1f} s\n"
+      "{}\n"
+      "results in {}\n",
+      c.material.name, result.curve.points.size(), last.delta_bar, last.F_bar, last.force_N,
+      last.contact_radius_m / c.radius_m, result.statistics.total_s,
+      press::tension_words(result.curve, c.material.tensile_strength), folder.path().string());
 }
 
 } // namespace
 
 void add_press(CLI::App& program) {
-  auto* command =
-      program.add_subcommand("press", "press one virtual particle: curve.csv, summary.json, pictures");
+  auto* command = program.add_subcommand(
+      "press", "press one virtual particle: curve.csv, summary.json, pictures, fields");
   auto options = std::make_shared<Options>();
   auto* card = command->add_option("CASE.toml", options->card, "the case card");
   command->add_option("-o", options->folder, "folder for the results")

@@ -4,9 +4,11 @@
 #include "core/file.hpp"
 #include "core/interrupt.hpp"
 #include "core/progress.hpp"
+#include "core/say.hpp"
 #include "plot/zone_map.hpp"
 #include "press/case_card.hpp"
 #include "press/curve_csv.hpp"
+#include "press/fields_vtu.hpp"
 #include "press/summary.hpp"
 
 #include <fmt/format.h>
@@ -24,23 +26,36 @@ press::Result press_with_progress(const press::Case& c) {
   });
 }
 
-void write_results(const press::Case& c, const press::Result& result, const OutputFolder& folder) {
-  folder.forget({"case.toml", "curve.csv", "summary.json", "zones.svg", "curve.svg", "law.toml"});
-  core::write_file(folder / "case.toml", press::case_text(c));
+void write_fields(const press::Case& c, const press::Result& result, const OutputFolder& folder) {
+  for (const auto& snapshot : result.snapshots)
+    core::write_file(folder / press::fields_name(snapshot), press::fields_vtu(snapshot, c.radius_m));
+  core::write_file(folder / "fields.pvd", press::fields_series(result.snapshots));
+}
+
+/// What cost most comes first: where the disk fills, the files before are whole.
+void write_results(const press::Case& c, const press::Result& result, const OutputFolder& folder,
+                   Fields fields) {
+  folder.forget(
+      {"case.toml", "curve.csv", "summary.json", "zones.svg", "curve.svg", "law.toml", "fields.pvd"});
+  folder.forget_series("fields-", ".vtu");
   press::write_curve(result.curve, folder / "curve.csv");
-  if (!result.snapshots.empty())
+  core::write_file(folder / "case.toml", press::case_text(c));
+  if (!result.snapshots.empty()) {
     plot::zone_map(result.snapshots, fmt::format("{}: where it flows", c.material.name),
                    folder / "zones.svg");
+    if (fields == Fields::pictures_and_vtu) write_fields(c, result, folder);
+  }
   // Last: where there is a summary, the rest is there as well.
   core::write_file(folder / "summary.json", press::summary_json(c, result));
 }
 
 } // namespace
 
-press::Result press_into(const press::Case& c, const OutputFolder& folder) {
+press::Result press_into(const press::Case& c, const OutputFolder& folder, Fields fields) {
   press::Result result = press_with_progress(c);
-  write_results(c, result, folder);
-  const double reached = result.curve.points.empty() ? 0 : result.curve.points.back().delta_bar;
+  write_results(c, result, folder, fields);
+  const press::CurvePoint* end = press::loading_end(result.curve);
+  const double reached = end ? end->delta_bar : 0;
   if (result.failure) {
     print_flags(result);
     throw core::ConvergenceError(fmt::format("{}; the curve up to delta_bar = {:.4g} is in {}",
@@ -55,7 +70,7 @@ press::Result press_into(const press::Case& c, const OutputFolder& folder) {
 }
 
 void print_flags(const press::Result& result) {
-  for (const auto& flag : result.flags) fmt::print(stderr, "note: {}\n", flag);
+  for (const auto& flag : result.flags) core::say(fmt::format("note: {}\n", flag));
 }
 
 } // namespace platen::app

@@ -6,10 +6,13 @@
 
 namespace platen::app {
 
-/// Presses with progress on standard error and writes case.toml, curve.csv, summary.json and, where fields
-/// were asked for, zones.svg. A press that stops early is written the same; then ConvergenceError or
-/// Interrupted is thrown.
-press::Result press_into(const press::Case&, const OutputFolder&);
+/// What becomes of the fields that a case asks for.
+enum class Fields { pictures, pictures_and_vtu };
+
+/// Presses with progress on standard error and writes curve.csv, case.toml, summary.json and, where fields
+/// were asked for, zones.svg and the files of VTK. A press that stops early is written the same; then
+/// ConvergenceError or Interrupted is thrown.
+press::Result press_into(const press::Case&, const OutputFolder&, Fields);
 
 /// The sentences about a press that its user must read, on standard error.
 void print_flags(const press::Result&);

@@ -21,7 +21,10 @@ struct Close {
 using File = std::unique_ptr<std::FILE, Close>;
 
 [[noreturn]] void fail(std::string_view what, const fs::path& path, int error) {
-  throw IoError(fmt::format("{}: {}: {}", path.string(), what, std::strerror(error)));
+  const bool full = error == ENOSPC || error == EDQUOT || error == EFBIG;
+  throw IoError(
+      fmt::format("{}: {}: {}{}", path.string(), what, std::strerror(error),
+                  full ? "; free some space, or name another place; files written before are whole" : ""));
 }
 
 } // namespace

@@ -18,6 +18,8 @@ void watch_for_interrupts() {
   action.sa_flags = SA_RESTART | SA_RESETHAND; // RESETHAND: whoever asks twice does not want to wait
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  // A file that may grow no further (ulimit -f) is an error to report like a full disk, not a reason to die.
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 bool interrupted() { return stop != 0; }

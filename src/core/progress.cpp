@@ -1,17 +1,18 @@
 #include "core/progress.hpp"
 
+#include "core/say.hpp"
+
 #include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdio>
 
 namespace platen::core {
 
 Progress::Progress(std::string label) : label_(std::move(label)), terminal_(::isatty(STDERR_FILENO) != 0) {}
 
 Progress::~Progress() {
-  if (drawn_) fmt::print(stderr, "\n");
+  if (drawn_) say("\n");
 }
 
 void Progress::show(double fraction, std::string_view note) {
@@ -23,13 +24,12 @@ void Progress::show(double fraction, std::string_view note) {
     if (fraction < 1 && drawn_ && now - last_ < std::chrono::milliseconds(100)) return;
     constexpr int width = 30;
     const int filled = static_cast<int>(fraction * width);
-    fmt::print(stderr, "\r{} [{:=<{}}{: <{}}] {:3.0f} %  {}  {:.0f} s\x1b[K", label_, "", filled, "",
-               width - filled, 100 * fraction, note, seconds);
-    std::fflush(stderr);
+    say(fmt::format("\r{} [{:=<{}}{: <{}}] {:3.0f} %  {}  {:.0f} s\x1b[K", label_, "", filled, "",
+                    width - filled, 100 * fraction, note, seconds));
     drawn_ = true;
     last_ = now;
   } else if (const int tenths = static_cast<int>(10 * fraction); tenths > tenths_) {
-    fmt::print(stderr, "{}: {} %, {}, {:.0f} s\n", label_, 10 * tenths, note, seconds);
+    say(fmt::format("{}: {} %, {}, {:.0f} s\n", label_, 10 * tenths, note, seconds));
     tenths_ = tenths;
   }
 }

@@ -18,6 +18,10 @@ constexpr double slope_left = 0.5;
 constexpr int searches_max = 3;
 /// Penetration at the highest mean pressure, over the square of the distance to the pole.
 constexpr double relative_penetration = 0.001;
+/// Least stiffness of the contact times the distance to the pole, over E. A flat punch of radius a on a
+/// half-space springs back by (pi/2)(1 - nu^2) a p/E: the penetration by less than a hundredth of that, or
+/// stiff material would seem to unload too softly.
+constexpr double elastic_stiffness = 100;
 /// Distance to the pole below which the contact gets no stiffer (R0), well inside the smallest contact of
 /// interest.
 constexpr double pole = 0.03;
@@ -93,10 +97,16 @@ PlaneContact::PlaneContact(AxisymmetricSolid& solid_, NewtonSettings settings_)
                    std::sin(angle) - (1 - t) * r_a - t * r_b,
                    std::cos(angle) - (1 - t) * z_a - t * z_b,
                    2 * std::numbers::pi * std::sin(angle) * h * gauss_w[i] / 2,
-                   relative_penetration * distance * distance};
+                   relative_penetration * distance * distance,
+                   elastic_stiffness * E / distance};
     }
     edge_elements.push_back(element_at(solid.mesh, surface[s], surface[s + 1]));
   }
+}
+
+/// Force over penetration.
+double PlaneContact::stiffness_of(const EdgePoint& point) const {
+  return std::max(pressure_scale / point.flexibility, point.least_stiffness) * point.area;
 }
 
 /// Negative where the point penetrates.
@@ -132,7 +142,7 @@ Evaluation PlaneContact::evaluate(const std::vector<double>& x, Residual& residu
       const double gap = height_above_plane(point, static_cast<int>(e), x);
       if (!(gap < 0)) continue;
       residual.touching[e * points_per_edge + i] = 1;
-      const double stiffness = pressure_scale / point.flexibility * point.area;
+      const double stiffness = stiffness_of(point);
       for (int k = 0; k < 2; ++k) {
         solid.force[2 * surface[e + k] + 1] -= stiffness * gap * point.N[k];
         for (int l = 0; l < 2; ++l) {
@@ -236,7 +246,7 @@ Contact PlaneContact::contact() const {
     const EdgePoint* outer = nullptr;
     for (const EdgePoint& point : edges[e])
       if (const double gap = height_above_plane(point, e, u); gap < 0) {
-        const double stiffness = pressure_scale / point.flexibility * point.area;
+        const double stiffness = stiffness_of(point);
         force -= stiffness * gap;
         c.energy += stiffness * gap * gap / 2;
         outer = &point;

@@ -6,7 +6,8 @@
 // edge can touch. (With exact contact of nodes the radius grows by whole edges, and with it, in scallops, the
 // force of a plastic sphere.) The pressure is a stiffness times the penetration, the same for every mesh: at
 // the highest mean pressure met so far, a point at distance s from the pole penetrates by 0.001 s^2/R0, about
-// 0.2 % of the delta at which the contact gets there.
+// 0.2 % of the delta at which the contact gets there; by less where the material is so stiff that it springs
+// back by little more than that.
 
 #include "fe/axisymmetric.hpp"
 #include "fe/sparse.hpp"
@@ -17,7 +18,7 @@
 namespace platen::fe {
 
 struct NewtonSettings {
-  double relative_residual_tolerance = 1e-3; ///< of the free unknowns, relative to the reactions
+  double relative_residual_tolerance = 1e-5; ///< of the free unknowns, relative to the reactions
   int iterations_max = 25;
 };
 
@@ -65,14 +66,16 @@ class PlaneContact {
   static constexpr int points_per_edge = 8;
   struct EdgePoint { ///< of the undeformed sphere
     std::array<double, 2> N;
-    double r, z;        ///< sphere less chord: what the displacement of the nodes does not interpolate
-    double area;        ///< 2 pi included
-    double flexibility; ///< penetration at the pressure scale (R0)
+    double r, z;            ///< sphere less chord: what the displacement of the nodes does not interpolate
+    double area;            ///< 2 pi included
+    double flexibility;     ///< penetration at the pressure scale (R0)
+    double least_stiffness; ///< pressure over penetration, where that is stiffer (Pa/R0)
   };
   struct Residual {
     double relative;
     std::vector<char> touching; ///< per contact point
   };
+  double stiffness_of(const EdgePoint&) const;
   double height_above_plane(const EdgePoint&, int edge, const std::vector<double>& x) const;
   double radius(const EdgePoint&, int edge) const;
   Evaluation evaluate(const std::vector<double>& x, Residual&);

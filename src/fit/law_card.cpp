@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace platen::fit {
 namespace {
@@ -84,9 +85,29 @@ void check_range(const Table& section, const law::LawInfo& info, const core::Ent
                                        core::number_text(value), law::text(p.range)));
 }
 
+core::FieldValue numeric(const Table& table, const core::Entry& entry) {
+  if (std::holds_alternative<std::vector<Value>>(entry.value.data)) return numbers_at(table, entry);
+  return number_at(table, entry);
+}
+
+/// A value as it stands.
+core::FieldValue remark(const Table& table, const core::Entry& entry) {
+  if (const auto* text = std::get_if<std::string>(&entry.value.data)) return *text;
+  if (const auto* truth = std::get_if<bool>(&entry.value.data)) return *truth;
+  if (const auto* whole = std::get_if<std::int64_t>(&entry.value.data))
+    if (std::in_range<int>(*whole)) return static_cast<int>(*whole);
+  return numeric(table, entry);
+}
+
 bool is_number(const std::string& text) { return core::number_from(text).has_value(); }
 
 } // namespace
+
+core::FieldValue value_of(const Remarks& remarks, std::string_view key) {
+  for (const auto& [name, value] : remarks)
+    if (name == key) return value;
+  return {};
+}
 
 LawCard read_law_card(const std::string& what) {
   const Table table = core::read_toml(core::find_card("laws", what));
@@ -124,12 +145,10 @@ LawCard read_law_card(const std::string& what) {
         card.delta_bar = {ends[0], ends[1]};
       }
   if (const Table* errors = core::section(table, "error"))
-    for (const auto& entry : errors->entries) card.errors[entry.key] = number_at(*errors, entry);
+    for (const auto& entry : errors->entries) card.errors.emplace_back(entry.key, numeric(*errors, entry));
   if (const Table* provenance = core::section(table, "provenance"))
-    for (const auto& entry : provenance->entries) {
-      const auto* text = std::get_if<std::string>(&entry.value.data);
-      card.provenance[entry.key] = text ? *text : core::text_of(entry.value);
-    }
+    for (const auto& entry : provenance->entries)
+      card.provenance.emplace_back(entry.key, remark(*provenance, entry));
   return card;
 }
 
@@ -157,8 +176,7 @@ std::string text_of(const LawCard& card) {
   if (!card.errors.empty()) text += "\n[error]\n";
   for (const auto& [key, value] : card.errors) text += core::card_line(key, value);
   if (!card.provenance.empty()) text += "\n[provenance]\n";
-  for (const auto& [key, value] : card.provenance)
-    text += fmt::format("{} = {}\n", key, is_number(value) ? value : core::in_quotes(value));
+  for (const auto& [key, value] : card.provenance) text += core::card_line(key, value);
   return text;
 }
 

@@ -2,15 +2,21 @@
 // Law cards: a fitted or published law in a file. What a parameter may be is said once, in
 // platen/law/catalogue.hpp; a card adds where it came from and how far it holds.
 
+#include "core/fields.hpp"
 #include "platen/law/catalogue.hpp"
 
 #include <array>
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace platen::fit {
+
+/// A section that says about the law, not to it: keys and values in the order of the card.
+using Remarks = std::vector<std::pair<std::string, core::FieldValue>>;
 
 struct LawCard {
   std::string file; ///< as messages name it
@@ -18,9 +24,12 @@ struct LawCard {
   std::string variant;            ///< empty: the law's default
   law::ParameterTexts parameters; ///< as `platen eval -p` takes them; usually without the radius
   std::optional<std::array<double, 2>> delta_bar; ///< [validity]
-  std::map<std::string, double> errors;           ///< [error]
-  std::map<std::string, std::string> provenance;  ///< [provenance]
+  Remarks errors;                                 ///< [error]
+  Remarks provenance;                             ///< [provenance]
 };
+
+/// The value of a key; monostate when it is not there.
+core::FieldValue value_of(const Remarks&, std::string_view key);
 
 /// A card by path, or by name in the folder "laws" of a catalogue. Throws core::InvalidInput with file and
 /// line for an unknown law, variant, section or key, and for a parameter outside its range.

@@ -66,6 +66,24 @@ const std::vector<Field<Dpc>> dpc_fields = [] {
   return fields;
 }();
 
+/// What any material may say beside its model.
+struct Beside {
+  double tensile_strength = 0; ///< 0: not given
+};
+const std::vector<Field<Beside>> beside_fields = {
+    Field<Beside>{"tensile_strength_Pa", &Beside::tensile_strength,
+                  "any model: a press says where the largest principal stress reaches it", positive}
+        .optional(),
+};
+const std::vector<std::string> beside_keys = {"tensile_strength_Pa"};
+
+std::optional<double> read_tensile_strength(const Table& parameters) {
+  std::vector<std::string> others; // the model's own, already read
+  for (const auto& entry : parameters.entries) others.push_back(entry.key);
+  const double strength = core::read_fields<Beside>(parameters, beside_fields, {}, others).tensile_strength;
+  return strength > 0 ? std::optional(strength) : std::nullopt;
+}
+
 /// The fields of the model's own type, handed to `use`.
 template <class Use> decltype(auto) with_fields(const Model& model, Use use) {
   struct Choose {
@@ -91,7 +109,8 @@ VonMises read_von_mises(const Table& table) {
       throw core::InvalidInput(
           fmt::format("{}: this hardening has its own yield stress; leave it out, and give E_Pa",
                       core::place(table, key)));
-  const std::vector<std::string> others = {"hardening"};
+  std::vector<std::string> others = beside_keys;
+  others.push_back("hardening");
   m = core::read_fields(table, own ? hardened_fields : von_mises_fields, m, others);
   m.sigma_y = initial_yield_stress(m.hardening, m.E, m.sigma_y);
   check_hardening(table, m.hardening, m.E, m.moduli(0).G, m.sigma_y);
@@ -99,7 +118,7 @@ VonMises read_von_mises(const Table& table) {
 }
 
 Dpc read_dpc(const Table& table) {
-  const Dpc m = core::read_fields(table, dpc_fields);
+  const Dpc m = core::read_fields(table, dpc_fields, {}, beside_keys);
   if (m.epsilon * m.Gamma >= m.sigma_y)
     throw core::InvalidInput(fmt::format(
         "{}: the cap would begin inside the failure line; epsilon Gamma = {} must be less than sigma_y = {}",
@@ -107,7 +126,7 @@ Dpc read_dpc(const Table& table) {
   return m;
 }
 
-const std::vector<std::string> later_parameters = {"density_kg_per_m3", "tensile_strength_Pa"};
+const std::vector<std::string> later_parameters = {"density_kg_per_m3"};
 
 struct Head {
   int platen = 1;
@@ -121,12 +140,12 @@ const std::vector<Field<Head>> head_fields = {
 const std::vector<std::string> sections = {"parameters", "source"};
 
 Model read_model(const Table& card, const std::string& name, const Table& table) {
-  if (name == "elastic") return core::read_fields(table, elastic_fields);
+  if (name == "elastic") return core::read_fields(table, elastic_fields, {}, beside_keys);
   if (name == "von-mises") return read_von_mises(table);
-  if (name == "vmdc") return core::read_fields(table, vmdc_fields);
-  if (name == "drucker-prager") return read_drucker_prager(table);
+  if (name == "vmdc") return core::read_fields(table, vmdc_fields, {}, beside_keys);
+  if (name == "drucker-prager") return read_drucker_prager(table, beside_keys);
   if (name == "dpc") return read_dpc(table);
-  if (name == "mohr-coulomb") return read_mohr_coulomb(table);
+  if (name == "mohr-coulomb") return read_mohr_coulomb(table, beside_keys);
   const std::vector<std::string> names(model_names.begin(), model_names.end());
   throw core::InvalidInput(fmt::format("{} = \"{}\": there is no such model{}", core::place(card, "model"),
                                        name, core::suggestion(name, names)));
@@ -171,7 +190,8 @@ Card read_card(const Table& table) {
   const Head head = core::read_fields<Head>(table, head_fields, {}, sections);
   const Table& parameter_table = needed_section(table, "parameters");
   refuse_later_parameters(parameter_table);
-  Card card{{head.name, read_model(table, head.model, parameter_table)}, {}, table.file};
+  Card card{{head.name, read_model(table, head.model, parameter_table), {}}, {}, table.file};
+  card.material.tensile_strength = read_tensile_strength(parameter_table);
   if (const Table* source = core::section(table, "source"))
     card.sources = read_sources(*source, parameter_table);
   return card;
@@ -182,7 +202,16 @@ std::string card_text(const Material& material) {
   auto lines = with_fields(
       material.model, [](const auto& fields, const auto& model) { return core::card_lines(fields, model); });
   if (const auto* metal = std::get_if<VonMises>(&material.model)) lines += hardening_line(metal->hardening);
-  return fmt::format("{}\n[parameters]\n{}", core::card_lines(head_fields, head), lines);
+  const auto strength = material.tensile_strength;
+  return fmt::format("{}\n[parameters]\n{}{}", core::card_lines(head_fields, head), lines,
+                     strength ? core::card_line(beside_keys[0], *strength) : "");
+}
+
+std::vector<Parameter> parameters(const Material& material) {
+  auto list = parameters(material.model);
+  if (const auto strength = material.tensile_strength)
+    list.push_back({beside_fields[0].key, *strength, beside_fields[0].meaning});
+  return list;
 }
 
 std::vector<Parameter> parameters(const Model& model) {
@@ -216,6 +245,8 @@ std::string card_reference() {
   page += "\nExactly one of beta_deg + sigma_c_Pa, phi_deg + sigma_c_Pa, phi_deg + cohesion_Pa.\n";
   section("mohr-coulomb", mohr_coulomb_infos());
   page += "\nExactly one of cohesion_Pa and sigma_c_Pa.\n";
+  page += "\n## [parameters] beside those of the model\n\n" +
+          core::reference_table(core::infos<Beside>(beside_fields));
   page += "\n## [source]\n\nText for any key above, or `default`: where its value is from.\n";
   return page;
 }

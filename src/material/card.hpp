@@ -34,6 +34,8 @@ struct Parameter {
   std::string meaning;
 };
 std::vector<Parameter> parameters(const Model&);
+/// The same, and what the card says beside the model.
+std::vector<Parameter> parameters(const Material&);
 
 /// The reference page of material cards, as Markdown.
 std::string card_reference();

@@ -10,6 +10,7 @@
 #include "material/von_mises.hpp"
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -25,6 +26,7 @@ inline constexpr std::array<std::string_view, std::variant_size_v<Model>> model_
 struct Material {
   std::string name;
   Model model;
+  std::optional<double> tensile_strength = {}; ///< Pa, > 0; it flags fracture, no model knows it
 };
 
 /// Young's modulus of the undeformed material (Pa).

@@ -18,7 +18,7 @@ namespace {
 // Okabe and Ito's colours (jfly.uni-koeln.de/color), told apart by every kind of colour vision
 constexpr const char* press_colour = "#0072b2";
 constexpr const char* law_colour = "#d55e00";
-constexpr const char* unloading_colour = "#7a8793";
+constexpr const char* unloading_colour = "#9aa8b5";
 constexpr const char* grid = "#e3e7eb";
 
 using Points = std::vector<std::pair<double, double>>;
@@ -142,9 +142,11 @@ std::string upper_panel(const press::Curve& curve, Ranges range, const std::stri
   script += second_axes(curve, x_top, y_top);
   if (curve.radius_m > 0 && curve.sigma_ref_Pa > 0) script += "set border 11\n";
   script += "plot ";
+  const bool reloads = std::ranges::any_of(
+      curve.points, [](const auto& point) { return point.branch == press::Branch::reloading; });
   if (has_other)
-    script +=
-        fmt::format("$other with lines lw 1.2 lc rgb '{}' title 'unloading, reloading', ", unloading_colour);
+    script += fmt::format("$other with lines lw {} lc rgb '{}' title 'unloading{}', ",
+                          has_unloading_law ? 3 : 1.2, unloading_colour, reloads ? ", reloading" : "");
   script += fmt::format("$press with {} title 'press'",
                         law_name.empty() ? fmt::format("lines lw 2.4 lc rgb '{}'", press_colour)
                                          : fmt::format("lines lw 3.2 lc rgb '{}'", press_colour));

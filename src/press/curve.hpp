@@ -42,4 +42,12 @@ struct Curve {
   std::vector<CurvePoint> points;
 };
 
+/// Where the loading branch ends; the first point where there is none, null where there is no point at all.
+inline const CurvePoint* loading_end(const Curve& curve) {
+  const CurvePoint* end = nullptr;
+  for (const auto& point : curve.points)
+    if (!end || (point.branch == Branch::loading && !(point.delta_bar < end->delta_bar))) end = &point;
+  return end;
+}
+
 } // namespace platen::press

@@ -14,7 +14,7 @@ namespace {
 
 /// The first step, the largest in relation to delta_bar, and the growth from one to the next: the contact
 /// starts as a point, with infinitely many changes of the contact near delta = 0.
-constexpr double first_step = 1e-4, relative_step_max = 0.05, growth = 1.5;
+constexpr double first_step = 1e-4, relative_step_max = 0.04, growth = 1.5;
 /// Below this a step is given up.
 constexpr double step_min = 1e-7;
 /// A branch unloads in about this many steps, and ends below this share of the force it started from.

@@ -20,13 +20,16 @@ using material::Zone;
 struct Snapshot {
   double delta_bar = 0;
   Branch branch = Branch::loading;
-  std::vector<std::array<double, 2>> nodes;  ///< current (r, z)
+  std::vector<std::array<double, 2>> nodes; ///< current (r, z)
+  std::vector<std::array<double, 2>> displacement;
   std::vector<std::array<int, 4>> quads;     ///< counter-clockwise
   std::vector<std::array<Zone, 4>> zones;    ///< at the four Gauss points, in the order of the corners
   std::vector<std::array<double, 4>> stress; ///< Cauchy: rr, zz, rz, tt, tension positive (Pa)
   std::vector<double> p, q;                  ///< tension positive (Pa)
   std::vector<double> rho_r;
   std::vector<double> phi; ///< state variable of the model
+  /// Invariants of the plastic Hencky strain -ln(C_p^-1)/2: of the shape reached, not accumulated on the way.
+  std::vector<double> plastic_strain_v, plastic_strain_q;
 };
 
 /// Seconds spent per phase, and counters, of one press.

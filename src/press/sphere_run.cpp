@@ -9,6 +9,14 @@ namespace {
 
 double initial_density(const material::Model& model) { return material::relative_density(model, 0); }
 
+/// Invariants of the plastic Hencky strain of a point.
+material::TrialInvariants plastic_strain(const fe::PointState& point) {
+  const auto& [rr, zz, rz, tt] = point.Cp_inv;
+  const double mean = (rr + zz) / 2, radius = std::hypot((rr - zz) / 2, rz);
+  return material::invariants(
+      {-std::log(mean + radius) / 2, -std::log(mean - radius) / 2, -std::log(tt) / 2});
+}
+
 } // namespace
 
 SphereRun::SphereRun(const Case& c)
@@ -16,21 +24,13 @@ SphereRun::SphereRun(const Case& c)
       solid(fe::quarter_disc(c.elements), c.material.model), contact(solid, {}) {
   now.u.assign(solid.unknowns(), 0.0);
   now.change = now.u;
-  now.points = solid.committed;
-  now.elastic.assign(solid.points(), {0, 0});
-  now.zones.assign(solid.points(), Zone::elastic);
+  now.points.resize(solid.points());
   now.row.rho_r_mean = now.row.rho_r_min = now.row.rho_r_max = initial_density(solid.model);
-}
-
-SphereRun::State SphereRun::state() const {
-  State s = now;
-  s.points = solid.committed;
-  return s;
 }
 
 void SphereRun::restore(const State& s) {
   now = s;
-  solid.committed = s.points;
+  for (std::size_t i = 0; i < s.points.size(); ++i) solid.committed[i] = s.points[i].state;
   contact.u = s.u;
 }
 
@@ -43,19 +43,25 @@ fe::StepReport SphereRun::advance(double delta_bar) {
   if (ratio > 0)
     for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += ratio * now.change[i];
   else contact.follow(-step, guess);
+  std::vector<PointFlow> points;
+  for (std::size_t i = 0; i < now.points.size(); ++i) {
+    points.push_back(next_return(now.points[i], now.delta_bar, delta_bar));
+    solid.committed[i] = points[i].start;
+  }
   fe::StepReport report = contact.solve(1 - delta_bar, std::move(guess));
   count(report);
   if (!report.converged) return report;
   for (std::size_t i = 0; i < now.u.size(); ++i) now.change[i] = contact.u[i] - now.u[i];
   now.step = step;
   now.u = contact.u;
-  account(delta_bar, report.iterations);
+  account(delta_bar, report.iterations, points);
   solid.commit();
+  now.points = std::move(points);
   return report;
 }
 
 /// The row of the curve at the new equilibrium, before the state is committed.
-void SphereRun::account(double delta_bar, int iterations) {
+void SphereRun::account(double delta_bar, int iterations, std::vector<PointFlow>& points) {
   const double R = radius_m, R2 = R * R, R3 = R2 * R;
   const fe::Contact c = contact.contact();
   const CurvePoint before = now.row;
@@ -77,9 +83,8 @@ void SphereRun::account(double delta_bar, int iterations) {
   row.sigma_1_max_Pa = 0;
   for (int i = 0; i < solid.points(); ++i) {
     const material::PointUpdate& point = solid.updates[i];
-    const double V = solid.volume[i], phi_n = solid.committed[i].phi;
+    const double V = solid.volume[i];
     const double J_p = material::plastic_volume_ratio(solid.model, point.phi);
-    const double J_p_n = material::plastic_volume_ratio(solid.model, phi_n);
     reference += V;
     unloaded += V * J_p;
     zones[static_cast<int>(point.zone)] += V;
@@ -90,26 +95,7 @@ void SphereRun::account(double delta_bar, int iterations) {
 
     const material::TrialInvariants elastic = material::invariants(point.eps);
     stored += V * J_p * material::stored_energy(solid.model, elastic, point.phi);
-    if (point.zone != Zone::elastic) {
-      // Plastic power of the increment, trapezoidal; a point that was elastic flows from its yield on. What
-      // the change of moduli and of the unloaded volume adds to the stored energy at fixed strain is not
-      // dissipated.
-      const bool flowed = now.zones[i] != Zone::elastic;
-      const material::TrialInvariants start = flowed ? now.elastic[i] : elastic;
-      const auto stress_power = [&](const material::TrialInvariants& strain, double phi) {
-        const auto m = std::visit([&](const auto& model) { return model.moduli(phi); }, solid.model);
-        return m.K * strain.eps_v * point.dv + 3 * m.G * strain.eps_q * point.dw;
-      };
-      const double power =
-          (stress_power(elastic, point.phi) + stress_power(start, flowed ? phi_n : point.phi)) / 2;
-      const material::TrialInvariants middle{(start.eps_v + elastic.eps_v) / 2,
-                                             (start.eps_q + elastic.eps_q) / 2};
-      const double locked = J_p * material::stored_energy(solid.model, middle, point.phi) -
-                            J_p_n * material::stored_energy(solid.model, middle, phi_n);
-      dissipated += V * ((J_p + J_p_n) / 2 * power - locked);
-    }
-    now.elastic[i] = elastic;
-    now.zones[i] = point.zone;
+    dissipated += V * accept(points[i], now.points[i], solid, i);
   }
   row.zone_elastic = zones[0] / reference;
   row.zone_shear = zones[1] / reference;
@@ -178,13 +164,15 @@ Snapshot SphereRun::snapshot(Branch branch) const {
   Snapshot s;
   s.delta_bar = now.delta_bar;
   s.branch = branch;
-  for (std::size_t i = 0; i < solid.mesh.nodes.size(); ++i)
+  for (std::size_t i = 0; i < solid.mesh.nodes.size(); ++i) {
+    s.displacement.push_back({now.u[2 * i], now.u[2 * i + 1]});
     s.nodes.push_back({solid.mesh.nodes[i][0] + now.u[2 * i], solid.mesh.nodes[i][1] + now.u[2 * i + 1]});
+  }
   s.quads = solid.mesh.quads;
   for (std::size_t e = 0; e < s.quads.size(); ++e) {
     std::array<Zone, 4> zones;
     std::array<double, 4> stress{};
-    double p = 0, q = 0, phi = 0;
+    double p = 0, q = 0, phi = 0, plastic_v = 0, plastic_q = 0;
     for (int g = 0; g < 4; ++g) {
       const int i = 4 * static_cast<int>(e) + g;
       zones[g] = solid.updates[i].zone;
@@ -193,12 +181,17 @@ Snapshot SphereRun::snapshot(Branch branch) const {
       p += solid.updates[i].p / 4;
       q += solid.updates[i].q / 4;
       phi += solid.updates[i].phi / 4;
+      const auto plastic = plastic_strain(solid.committed[i]);
+      plastic_v += plastic.eps_v / 4;
+      plastic_q += plastic.eps_q / 4;
     }
     s.zones.push_back(zones);
     s.stress.push_back(stress);
     s.p.push_back(p);
     s.q.push_back(q);
     s.phi.push_back(phi);
+    s.plastic_strain_v.push_back(plastic_v);
+    s.plastic_strain_q.push_back(plastic_q);
     s.rho_r.push_back(material::relative_density(solid.model, phi));
   }
   return s;

@@ -2,6 +2,7 @@
 // A sphere under the plane of the simple press: its state, one step further, its row of the curve.
 
 #include "fe/plane_contact.hpp"
+#include "press/midpoint_flow.hpp"
 #include "press/simple.hpp"
 
 #include <vector>
@@ -17,12 +18,10 @@ class SphereRun {
   struct State {
     double delta_bar = 0, step = 0; ///< step: the last one, whose displacement change is extrapolated
     std::vector<double> u, change;
-    std::vector<fe::PointState> points;
-    std::vector<material::TrialInvariants> elastic; ///< strains of the Gauss points
-    std::vector<material::Zone> zones;
+    std::vector<PointFlow> points;
     CurvePoint row;
   };
-  State state() const;
+  const State& state() const { return now; }
   void restore(const State&);
 
   /// One step to delta_bar. On success the state is the new one and `row` describes it.
@@ -35,7 +34,7 @@ class SphereRun {
   std::vector<std::string> flags() const;
 
  private:
-  void account(double delta_bar, int iterations);
+  void account(double delta_bar, int iterations, std::vector<PointFlow>& points);
   void count(const fe::StepReport&);
 
   const double radius_m, sigma_ref;

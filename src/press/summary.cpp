@@ -3,6 +3,7 @@
 #include "core/toml.hpp"
 #include "core/version.hpp"
 #include "press/case_card.hpp"
+#include "press/tension.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -47,14 +48,30 @@ Json json_of(const Statistics& s) {
           {"total_s", s.total_s}};
 }
 
+/// Of loading: branches go back from it.
 Json last_point(const Curve& curve) {
-  if (curve.points.empty()) return nullptr;
-  const CurvePoint& p = curve.points.back();
-  return {{"delta_bar", p.delta_bar},
-          {"F_bar", p.F_bar},
-          {"force_N", p.force_N},
-          {"contact_radius_m", p.contact_radius_m},
-          {"work_J", p.work_J}};
+  const CurvePoint* p = loading_end(curve);
+  if (!p) return nullptr;
+  return {{"delta_bar", p->delta_bar},
+          {"F_bar", p->F_bar},
+          {"force_N", p->force_N},
+          {"contact_radius_m", p->contact_radius_m},
+          {"work_J", p->work_J}};
+}
+
+Json json_of(const Tension& tension) {
+  constexpr const char* branches[] = {"loading", "unloading", "reloading"};
+  return {{"sigma_1_Pa", tension.sigma_1_Pa},
+          {"delta_bar", tension.delta_bar},
+          {"branch", branches[static_cast<int>(tension.branch)]},
+          {"branch_id", tension.branch_id}};
+}
+
+Json fracture_of(const Case& c, const Curve& curve) {
+  if (!c.material.tensile_strength) return nullptr;
+  const auto first = fracture(curve, *c.material.tensile_strength);
+  return {{"tensile_strength_Pa", *c.material.tensile_strength},
+          {"reached", first ? json_of(*first) : Json(nullptr)}};
 }
 
 } // namespace
@@ -68,6 +85,8 @@ std::string summary_json(const Case& c, const Result& result) {
   summary["interrupted"] = result.interrupted;
   summary["points"] = result.curve.points.size();
   summary["last_point"] = last_point(result.curve);
+  summary["largest_tension"] = json_of(largest_tension(result.curve));
+  summary["fracture"] = fracture_of(c, result.curve);
   summary["flags"] = result.flags;
   summary["statistics"] = json_of(result.statistics);
   return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -8,8 +8,8 @@
 
 namespace platen::press {
 
-/// The resolved input, version and engine, the last point, statistics, flags and, when the press stopped
-/// early, where and why.
+/// The resolved input, version and engine, the last point, the largest tension and where it reaches the
+/// tensile strength of the card, statistics, flags and, when the press stopped early, where and why.
 std::string summary_json(const Case&, const Result&);
 
 } // namespace platen::press

@@ -3,13 +3,15 @@
 #include "core/catalogue.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
-#include "fit/edmans_sinka.hpp"
+#include "fit/edmans_sinka_card.hpp"
 #include "material/card.hpp"
 #include "press/case_card.hpp"
 #include "press/curve_csv.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <filesystem>
 #include <random>
 
 using namespace platen;
@@ -126,6 +128,16 @@ press::Curve curve() {
     p.force_N = 3 * p.delta_bar * (1 + p.delta_bar);
     c.points.push_back(p);
   }
+  press::CurvePoint top = c.points.back();
+  for (int i = 0; i <= 12; ++i) {
+    press::CurvePoint p = top;
+    p.branch = press::Branch::unloading;
+    p.branch_id = 1;
+    p.delta_bar = 0.5 - 0.005 * i;
+    p.delta_m = p.delta_bar * c.radius_m;
+    p.force_N = top.force_N * std::pow(1 - i / 12.0, 1.3);
+    c.points.push_back(p);
+  }
   press::set_reference_stress(c, 1e6);
   return c;
 }
@@ -152,11 +164,31 @@ TEST(MutatedInput, WhatIsReadFromACaseCardIsWrittenAsOne) {
   });
 }
 
+TEST(MutatedInput, LawCardsAreReadOrRefused) {
+  const auto c = curve();
+  const std::string text =
+      fit::text_of(fit::law_card(c, fit::fit_edmans_sinka(c), fit::fit_unloading(c), ""));
+  const auto file = std::filesystem::temp_directory_path() / "platen-mutated-law.toml";
+  EXPECT_GT(refused(text,
+                    [&](const std::string& t) {
+                      core::write_file(file, t);
+                      const auto card = fit::read_law_card(file.string());
+                      const auto law = fit::make_law(card, {{"radius_m", "1e-3"}});
+                      const auto loaded = law::evaluate(law, {}, 4e-4);
+                      (void)law::evaluate(law, loaded.state, 3.9e-4);
+                    }),
+            100);
+  std::filesystem::remove(file);
+}
+
 TEST(MutatedInput, CurvesAreReadAndFittedOrRefused) {
-  EXPECT_GT(
-      refused(press::curve_csv(curve()),
-              [](const std::string& t) { (void)fit::fit_edmans_sinka(press::parse_curve(t, "c.csv")); }),
-      100);
+  EXPECT_GT(refused(press::curve_csv(curve()),
+                    [](const std::string& t) {
+                      const auto read = press::parse_curve(t, "c.csv");
+                      const auto loading = fit::fit_edmans_sinka(read);
+                      (void)fit::text_of(fit::law_card(read, loading, fit::fit_unloading(read), t));
+                    }),
+            100);
   EXPECT_GT(refused("delta_m,force_N\n0,0\n1e-5,0.1\n2e-5,0.2\n3e-5,0.3\n4e-5,0.4\n5e-5,0.5\n6e-5,0.7\n7e-5,"
                     "0.9\n8e-5,1\n",
                     [](const std::string& t) { (void)press::parse_curve(t, "c.csv", 1e-3); }),

@@ -37,8 +37,11 @@ TEST_F(LawCard, WrittenAndReadIsTheSameCard) {
   const auto again = read(fit::text_of(card));
   EXPECT_EQ(fit::text_of(card), fit::text_of(again));
   EXPECT_EQ(card.parameters, again.parameters);
-  EXPECT_EQ(again.provenance.at("material"), "mcc-ph-200");
-  EXPECT_EQ(again.errors.at("relative_l2"), 0.03);
+  EXPECT_EQ(again.errors, card.errors);
+  EXPECT_EQ(again.provenance, card.provenance);
+  EXPECT_EQ(fit::value_of(again.errors, "relative_l2"), core::FieldValue(0.03));
+  EXPECT_EQ(fit::value_of(again.provenance, "material"), core::FieldValue(std::string("mcc-ph-200")));
+  EXPECT_EQ(fit::value_of(again.provenance, "engine"), core::FieldValue(1));
 }
 
 TEST_F(LawCard, GivesTheLawThatTheHeadersGive) {

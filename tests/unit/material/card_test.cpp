@@ -122,6 +122,23 @@ TEST(MaterialCard, IsWrittenAsItIsRead) {
   }
 }
 
+TEST(MaterialCard, KeepsATensileStrengthBesideEachModel) {
+  for (const std::string model : {"base-case", "von-mises-100", "elastic", "lead-hollomon", "wang-type-1",
+                                  "sandstone-wang-3-4-mohr-coulomb"}) {
+    const std::string text = material::card_text(material::read_card(model).material);
+    EXPECT_FALSE(read(text).tensile_strength) << model;
+    const auto strong = read(text + "tensile_strength_Pa = 2e6\n");
+    EXPECT_EQ(strong.tensile_strength, 2e6) << model;
+    EXPECT_EQ(read(material::card_text(strong)).tensile_strength, 2e6) << model;
+    EXPECT_EQ(material::parameters(strong).back().key, "tensile_strength_Pa") << model;
+    EXPECT_NE(refusal(text + "tensile_strength_Pa = 0\n").find("must be a number > 0"), std::string::npos)
+        << model;
+    EXPECT_NE(refusal(text + "tensile_strength_MPa = 2\n").find("write tensile_strength_Pa = 2e6"),
+              std::string::npos)
+        << refusal(text + "tensile_strength_MPa = 2\n");
+  }
+}
+
 TEST(MaterialCard, HasAReferencePageWithEveryKey) {
   const std::string page = material::card_reference();
   for (const auto& parameter : material::parameters(Vmdc{}))

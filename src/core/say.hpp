@@ -1,0 +1,12 @@
+#pragma once
+// Messages on standard error.
+
+#include <string_view>
+
+namespace platen::core {
+
+/// Writes the text as it is. Where standard error cannot be written it is lost: a message must not end the
+/// work that it is about.
+void say(std::string_view);
+
+} // namespace platen::core

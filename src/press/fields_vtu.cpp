@@ -1,0 +1,124 @@
+#include "press/fields_vtu.hpp"
+
+#include "core/number.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace platen::press {
+namespace {
+
+constexpr int vtk_quad = 9;
+
+/// Seven digits show more than a mesh resolves; text is read by every reader, whatever its byte order.
+class Writer {
+ public:
+  void open(std::string_view tag) { line("<{}>", tag); }
+  void close(std::string_view tag) { line("</{}>", tag); }
+
+  template <class... Arguments> void line(fmt::format_string<Arguments...> format, Arguments&&... arguments) {
+    fmt::format_to(std::back_inserter(text), format, std::forward<Arguments>(arguments)...);
+    text += '\n';
+  }
+
+  /// One row of numbers an item.
+  template <class Items, class Row>
+  void array(std::string_view type, std::string_view name, int components, const Items& items, Row row) {
+    line("<DataArray type=\"{}\" Name=\"{}\"{} format=\"ascii\">", type, name,
+         components > 1 ? fmt::format(" NumberOfComponents=\"{}\"", components) : "");
+    for (const auto& item : items) line("{}", row(item));
+    close("DataArray");
+  }
+  void scalars(std::string_view name, const std::vector<double>& values) {
+    array("Float64", name, 1, values, [](double value) { return fmt::format("{:.7g}", value); });
+  }
+
+  std::string text;
+};
+
+int zone_of(const std::array<Zone, 4>& points) {
+  std::array<int, 4> count{};
+  for (const Zone zone : points) ++count[static_cast<int>(zone)];
+  // of equally many the later: rather plastic than elastic
+  return static_cast<int>(count.rend() - std::max_element(count.rbegin(), count.rend())) - 1;
+}
+
+void points(Writer& out, const Snapshot& s, double radius_m) {
+  const auto in_metres = [&](const std::array<double, 2>& x) {
+    return fmt::format("{:.9g} {:.9g} 0", x[0] * radius_m, x[1] * radius_m);
+  };
+  out.open("PointData Vectors=\"displacement_m\"");
+  out.array("Float64", "displacement_m", 3, s.displacement, in_metres);
+  out.close("PointData");
+  out.open("Points");
+  out.array("Float64", "Points", 3, s.nodes, in_metres);
+  out.close("Points");
+}
+
+void cells(Writer& out, const Snapshot& s) {
+  int end = 0;
+  out.open("Cells");
+  out.array("Int32", "connectivity", 1, s.quads,
+            [](const auto& quad) { return fmt::format("{} {} {} {}", quad[0], quad[1], quad[2], quad[3]); });
+  out.array("Int32", "offsets", 1, s.quads, [&](const auto&) { return std::to_string(end += 4); });
+  out.array("UInt8", "types", 1, s.quads, [](const auto&) { return std::to_string(vtk_quad); });
+  out.close("Cells");
+}
+
+void cell_data(Writer& out, const Snapshot& s) {
+  constexpr std::array<const char*, 4> stresses = {"sigma_rr_Pa", "sigma_zz_Pa", "sigma_rz_Pa",
+                                                   "sigma_tt_Pa"};
+  out.open("CellData Scalars=\"zone\"");
+  out.array("Int32", "zone", 1, s.zones, [](const auto& zones) { return std::to_string(zone_of(zones)); });
+  for (std::size_t i = 0; i < stresses.size(); ++i)
+    out.array("Float64", stresses[i], 1, s.stress,
+              [&](const auto& stress) { return fmt::format("{:.7g}", stress[i]); });
+  out.scalars("p_Pa", s.p);
+  out.scalars("q_Pa", s.q);
+  out.scalars("rho_r", s.rho_r);
+  out.scalars("phi", s.phi);
+  out.scalars("plastic_hencky_strain_v", s.plastic_strain_v);
+  out.scalars("plastic_hencky_strain_q", s.plastic_strain_q);
+  out.close("CellData");
+}
+
+} // namespace
+
+std::string fields_vtu(const Snapshot& s, double radius_m) {
+  Writer out;
+  out.open("?xml version=\"1.0\"?");
+  out.open("VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\"");
+  out.open("UnstructuredGrid");
+  out.line("<FieldData>\n<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
+           "format=\"ascii\">{}</DataArray>\n</FieldData>",
+           core::number_text(s.delta_bar));
+  out.line("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">", s.nodes.size(), s.quads.size());
+  points(out, s, radius_m);
+  cells(out, s);
+  cell_data(out, s);
+  out.close("Piece");
+  out.close("UnstructuredGrid");
+  out.close("VTKFile");
+  return out.text;
+}
+
+std::string fields_name(const Snapshot& s) {
+  return fmt::format("fields-{}.vtu", core::number_text(s.delta_bar));
+}
+
+std::string fields_series(const std::vector<Snapshot>& snapshots) {
+  Writer out;
+  out.open("?xml version=\"1.0\"?");
+  out.open("VTKFile type=\"Collection\" version=\"0.1\"");
+  out.open("Collection");
+  for (const auto& s : snapshots)
+    out.line("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>", core::number_text(s.delta_bar),
+             fields_name(s));
+  out.close("Collection");
+  out.close("VTKFile");
+  return out.text;
+}
+
+} // namespace platen::press
