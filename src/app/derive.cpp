@@ -62,8 +62,8 @@ void derive(const Options& o) {
   check_variant(o.variant);
   press::Case c = o.press_case;
   c.material = material::read_card(o.material).material;
-  c.unload_from = unloading(o.unload_from, c.delta_bar_max);
   if (!o.model.empty()) c.material.model = material::run_as(c.material.model, o.model);
+  c.unload_from = unloading(o.unload_from, c.delta_bar_max);
   press::validate(c);
   c.fields_at = moments(c.delta_bar_max);
 
@@ -94,13 +94,13 @@ void add_derive(CLI::App& program) {
   auto o = std::make_shared<Options>();
   command->add_option("MATERIAL", o->material, "material card, or a name in the catalogue")->required();
   command->add_option("-o", o->folder, "folder for the results")->type_name("DIR")->capture_default_str();
+  command->add_option("--model", o->model, "run a vmdc or dpc card as vmdc, dpc, dpc-published or von-mises")
+      ->type_name("NAME");
   command->add_option("--variant", o->variant, variant_help)->type_name("V")->capture_default_str();
   command
       ->add_option("--unload_from", o->unload_from,
                    "delta/R0 from which branches unload: 0.1,0.3; none; default: five, up to delta_bar_max")
       ->type_name("LIST");
-  command->add_option("--model", o->model, "run a vmdc or dpc card as vmdc, dpc, dpc-published or von-mises")
-      ->type_name("NAME");
   command->add_option("--radius_m", o->press_case.radius_m, "radius; the law does not depend on it")
       ->type_name("NUMBER")
       ->capture_default_str();

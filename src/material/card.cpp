@@ -77,20 +77,11 @@ const std::vector<Field<Beside>> beside_fields = {
 };
 const std::vector<std::string> beside_keys = {"tensile_strength_Pa"};
 
-/// In any unit: the message about a wrong one is theirs.
-bool is_beside(std::string_view key) { return key.starts_with("tensile_strength"); }
-
 std::optional<double> read_tensile_strength(const Table& parameters) {
-  std::vector<std::string> others; // the model's own
-  for (const auto& entry : parameters.entries)
-    if (!is_beside(entry.key)) others.push_back(entry.key);
+  std::vector<std::string> others; // the model's own, already read
+  for (const auto& entry : parameters.entries) others.push_back(entry.key);
   const double strength = core::read_fields<Beside>(parameters, beside_fields, {}, others).tensile_strength;
   return strength > 0 ? std::optional(strength) : std::nullopt;
-}
-
-Table without_beside(Table parameters) {
-  std::erase_if(parameters.entries, [](const auto& entry) { return is_beside(entry.key); });
-  return parameters;
 }
 
 /// The fields of the model's own type, handed to `use`.
@@ -118,7 +109,8 @@ VonMises read_von_mises(const Table& table) {
       throw core::InvalidInput(
           fmt::format("{}: this hardening has its own yield stress; leave it out, and give E_Pa",
                       core::place(table, key)));
-  const std::vector<std::string> others = {"hardening"};
+  std::vector<std::string> others = beside_keys;
+  others.push_back("hardening");
   m = core::read_fields(table, own ? hardened_fields : von_mises_fields, m, others);
   m.sigma_y = initial_yield_stress(m.hardening, m.E, m.sigma_y);
   check_hardening(table, m.hardening, m.E, m.moduli(0).G, m.sigma_y);
@@ -126,7 +118,7 @@ VonMises read_von_mises(const Table& table) {
 }
 
 Dpc read_dpc(const Table& table) {
-  const Dpc m = core::read_fields(table, dpc_fields);
+  const Dpc m = core::read_fields(table, dpc_fields, {}, beside_keys);
   if (m.epsilon * m.Gamma >= m.sigma_y)
     throw core::InvalidInput(fmt::format(
         "{}: the cap would begin inside the failure line; epsilon Gamma = {} must be less than sigma_y = {}",
@@ -148,12 +140,12 @@ const std::vector<Field<Head>> head_fields = {
 const std::vector<std::string> sections = {"parameters", "source"};
 
 Model read_model(const Table& card, const std::string& name, const Table& table) {
-  if (name == "elastic") return core::read_fields(table, elastic_fields);
+  if (name == "elastic") return core::read_fields(table, elastic_fields, {}, beside_keys);
   if (name == "von-mises") return read_von_mises(table);
-  if (name == "vmdc") return core::read_fields(table, vmdc_fields);
-  if (name == "drucker-prager") return read_drucker_prager(table);
+  if (name == "vmdc") return core::read_fields(table, vmdc_fields, {}, beside_keys);
+  if (name == "drucker-prager") return read_drucker_prager(table, beside_keys);
   if (name == "dpc") return read_dpc(table);
-  if (name == "mohr-coulomb") return read_mohr_coulomb(table);
+  if (name == "mohr-coulomb") return read_mohr_coulomb(table, beside_keys);
   const std::vector<std::string> names(model_names.begin(), model_names.end());
   throw core::InvalidInput(fmt::format("{} = \"{}\": there is no such model{}", core::place(card, "model"),
                                        name, core::suggestion(name, names)));
@@ -198,7 +190,7 @@ Card read_card(const Table& table) {
   const Head head = core::read_fields<Head>(table, head_fields, {}, sections);
   const Table& parameter_table = needed_section(table, "parameters");
   refuse_later_parameters(parameter_table);
-  Card card{{head.name, read_model(table, head.model, without_beside(parameter_table)), {}}, {}, table.file};
+  Card card{{head.name, read_model(table, head.model, parameter_table), {}}, {}, table.file};
   card.material.tensile_strength = read_tensile_strength(parameter_table);
   if (const Table* source = core::section(table, "source"))
     card.sources = read_sources(*source, parameter_table);

@@ -45,8 +45,8 @@ const std::vector<Field<Given>>& given_fields() {
 
 } // namespace
 
-DruckerPrager read_drucker_prager(const core::Table& table) {
-  const Given given = core::read_fields(table, given_fields());
+DruckerPrager read_drucker_prager(const core::Table& table, std::span<const std::string> others) {
+  const Given given = core::read_fields(table, given_fields(), {}, others);
   const bool beta = given.beta != absent, phi = given.phi != absent, sigma_c = given.sigma_c != absent,
              cohesion = given.cohesion != absent;
   if (beta == phi || sigma_c == cohesion || (beta && cohesion))

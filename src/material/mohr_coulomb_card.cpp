@@ -38,8 +38,8 @@ const std::vector<Field<Given>>& given_fields() {
 
 } // namespace
 
-MohrCoulomb read_mohr_coulomb(const core::Table& table) {
-  const Given given = core::read_fields(table, given_fields());
+MohrCoulomb read_mohr_coulomb(const core::Table& table, std::span<const std::string> others) {
+  const Given given = core::read_fields(table, given_fields(), {}, others);
   if ((given.cohesion != absent) == (given.sigma_c != absent))
     throw core::InvalidInput(fmt::format("{}: the strength needs exactly one of cohesion_Pa and sigma_c_Pa",
                                          core::place(table, "cohesion_Pa")));

@@ -7,7 +7,8 @@
 namespace platen::material {
 
 /// Exactly one of cohesion_Pa and sigma_c_Pa; psi_deg or associated.
-MohrCoulomb read_mohr_coulomb(const core::Table& parameters);
+/// `others`: keys of the section that somebody else reads.
+MohrCoulomb read_mohr_coulomb(const core::Table& parameters, std::span<const std::string> others);
 
 /// The fields as they are written: by cohesion_Pa and psi_deg.
 const std::vector<core::Field<MohrCoulomb>>& mohr_coulomb_fields();

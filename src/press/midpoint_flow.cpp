@@ -53,7 +53,9 @@ double accept(PointFlow& flow, const PointFlow& before, const fe::AxisymmetricSo
   flow.state = solid.updated(point);
   flow.direction = solid.cauchy(point);
   for (const int normal : {0, 1, 3}) flow.direction[normal] -= update.p;
-  for (double& component : flow.direction) component /= std::max(update.q, 1e-300);
+  // At an apex q is nothing but rounding, and has no direction.
+  const double q_min = 1e-9 * std::abs(update.p) + 1e-300;
+  for (double& component : flow.direction) component /= std::max(update.q, q_min);
 
   if (!flow.flows && flow.ahead_dv == 0 && flow.ahead_dw == 0) return 0;
   const auto power = [&](const material::TrialInvariants& elastic, double phi, double dv, double dw) {

@@ -123,7 +123,8 @@ TEST(MaterialCard, IsWrittenAsItIsRead) {
 }
 
 TEST(MaterialCard, KeepsATensileStrengthBesideEachModel) {
-  for (const std::string model : {"base-case", "von-mises-100", "elastic"}) {
+  for (const std::string model : {"base-case", "von-mises-100", "elastic", "lead-hollomon", "wang-type-1",
+                                  "sandstone-wang-3-4-mohr-coulomb"}) {
     const std::string text = material::card_text(material::read_card(model).material);
     EXPECT_FALSE(read(text).tensile_strength) << model;
     const auto strong = read(text + "tensile_strength_Pa = 2e6\n");
