@@ -182,18 +182,21 @@ bool bracketed_start(const M& model, TrialInvariants trial, double phi_n, std::a
   return true;
 }
 
-/// The determinant of the return over that with moduli and surface frozen. In isotropic compression it is 1 +
+/// The determinant `det` of the return over that with moduli and surface frozen. In isotropic compression it
+/// is 1 +
 /// (|p|/K)(d(ln sigma_y)/d(phi) - d(ln K)/d(phi)), but for the elastic volume change. Where it is not
 /// positive, a further compaction by plastic flow would raise the elastic pressure faster than the strength:
 /// the root is no state that a compression leads to.
-inline double densification_margin(const Return& e, TrialInvariants trial, double unit) {
+inline double densification_margin(const Return& e, double det, TrialInvariants trial, double unit) {
   const auto& [K, G, K_phi, G_phi] = e.moduli;
   const SurfacePoint& f = e.at;
   const double dv = trial.eps_v - e.eps_v, dw = trial.eps_q - e.eps_q;
-  const Inverse3 frozen({{{-f.p_s * unit, -K * (1 - e.eps_v) * e.exp_v * unit, 0},
-                          {-f.q_s * unit, 3 * G * e.eps_q * e.exp_v * unit, -3 * G * e.exp_v * unit},
-                          {f.n_q_s * dv - f.n_p_s * dw, f.n_q, -f.n_p}}});
-  return Inverse3(e.J).det / frozen.det;
+  // The Jacobian with K_phi, G_phi and what the surface changes with phi left out; it has a zero at its end.
+  const double p_s = f.p_s * unit, q_s = f.q_s * unit, p_v = K * (1 - e.eps_v) * e.exp_v * unit,
+               q_v = 3 * G * e.eps_q * e.exp_v * unit, q_w = 3 * G * e.exp_v * unit;
+  const double frozen =
+      -p_s * (q_w * f.n_q - q_v * f.n_p) + p_v * (q_s * f.n_p + q_w * (f.n_q_s * dv - f.n_p_s * dw));
+  return det / frozen;
 }
 
 /// The same at the beginning of plastic flow, on the surface at phi_n near the place s.
@@ -204,8 +207,8 @@ double densification_margin(const M& model, double phi_n, double s, double stres
   const SurfacePoint f = surface.at(at);
   const double eps_v = volumetric_strain(f.p, m.K);
   const TrialInvariants yielding{eps_v, f.q / (3 * m.G) * std::exp(eps_v)};
-  return densification_margin(evaluate_return(model, yielding, phi_n, stress_unit, {at, 0, 0}), yielding,
-                              1 / stress_unit);
+  const Return e = evaluate_return(model, yielding, phi_n, stress_unit, {at, 0, 0});
+  return densification_margin(e, Inverse3(e.J).det, yielding, 1 / stress_unit);
 }
 
 } // namespace detail
@@ -312,7 +315,7 @@ template <PlasticModel M>
   const detail::Inverse3 inverse(e.J);
   if (!(std::abs(inverse.det) > 0)) return u.status = Status::refused, u;
   const double unit = 1 / stress_unit;
-  if (e.zone == Zone::compaction && detail::densification_margin(e, trial, unit) <= 0)
+  if (e.zone == Zone::compaction && detail::densification_margin(e, inverse.det, trial, unit) <= 0)
     return u.status = Status::unstable, u;
   const auto by_v = inverse.solve({-e.moduli.K * (1 - e.eps_v) * e.exp_v * unit, u.q * unit, 0});
   const auto by_q = inverse.solve({0, -3 * e.moduli.G * e.exp_v * unit, 0});

@@ -7,10 +7,11 @@
 namespace platen::material {
 namespace {
 
-template <class M> auto respond(const M& model, const std::array<double, 3>& eps_trial, double phi_n) {
-  if constexpr (PlasticModel<M>) return integrate(model, invariants(eps_trial), phi_n);
+template <class M>
+auto respond(const M& model, const std::array<double, 3>& eps_trial, TrialInvariants trial, double phi_n) {
+  if constexpr (PlasticModel<M>) return integrate(model, trial, phi_n);
   else if constexpr (requires { model.respond(eps_trial); }) return model.respond(eps_trial);
-  else return elastic_response(model.moduli(phi_n), invariants(eps_trial), phi_n);
+  else return elastic_response(model.moduli(phi_n), trial, phi_n);
 }
 
 /// Principal stresses and their tangent from the invariant response: sigma_A = p + q m_A, m_A = 2 e_A/(3
@@ -33,8 +34,8 @@ void to_principal(const std::array<double, 3>& eps_trial, TrialInvariants trial,
   }
 }
 
-void finish(const std::array<double, 3>& eps_trial, double, const InvariantResponse& u, PointUpdate& out) {
-  const TrialInvariants trial = invariants(eps_trial);
+void finish(const std::array<double, 3>& eps_trial, TrialInvariants trial, double, const InvariantResponse& u,
+            PointUpdate& out) {
   to_principal(eps_trial, trial, u, out);
   out.p = u.p;
   out.q = u.q;
@@ -48,15 +49,15 @@ void finish(const std::array<double, 3>& eps_trial, double, const InvariantRespo
 
 /// A return in principal stresses need not keep the direction of the deviator: dw is then what the stress
 /// works on, 3G eps_q dw = 2G e : d(e^p).
-void finish(const std::array<double, 3>& eps_trial, double phi_n, const PrincipalResponse& u,
-            PointUpdate& out) {
+void finish(const std::array<double, 3>& eps_trial, TrialInvariants trial, double phi_n,
+            const PrincipalResponse& u, PointUpdate& out) {
   const TrialInvariants elastic = invariants(u.eps);
   out.sigma = u.sigma;
   out.eps = u.eps;
   out.D = u.D;
   out.p = (u.sigma[0] + u.sigma[1] + u.sigma[2]) / 3;
   out.q = 1.5 * invariants(u.sigma).eps_q; // sqrt(3/2 s:s)
-  out.dv = invariants(eps_trial).eps_v - elastic.eps_v;
+  out.dv = trial.eps_v - elastic.eps_v;
   double e_de = 0, work = 0;
   for (int A = 0; A < 3; ++A) {
     e_de += (u.eps[A] - elastic.eps_v / 3) * (eps_trial[A] - u.eps[A]);
@@ -93,7 +94,8 @@ UpdateCounts update(const Model& model, std::span<const std::array<double, 3>> e
   std::visit(
       [&](const auto& m) {
         for (std::size_t i = 0; i < out.size(); ++i) {
-          finish(eps_trial[i], phi_n[i], respond(m, eps_trial[i], phi_n[i]), out[i]);
+          const TrialInvariants trial = invariants(eps_trial[i]);
+          finish(eps_trial[i], trial, phi_n[i], respond(m, eps_trial[i], trial, phi_n[i]), out[i]);
           const Status status = out[i].status;
           counts.plastic += status == Status::plastic || status == Status::bracketed;
           counts.bracketed += status == Status::bracketed;
@@ -107,13 +109,14 @@ UpdateCounts update(const Model& model, std::span<const std::array<double, 3>> e
 
 PointUpdate update_with_old_moduli(const Model& model, const std::array<double, 3>& eps_trial, double phi_n) {
   PointUpdate out{};
+  const TrialInvariants trial = invariants(eps_trial);
   std::visit(
       [&]<class M>(const M& m) {
         if constexpr (PlasticModel<M>) {
           const Moduli now = m.moduli(phi_n);
           const WithOldModuli<M> lagging{m, {now.K, now.G}};
-          finish(eps_trial, phi_n, respond(lagging, eps_trial, phi_n), out);
-        } else finish(eps_trial, phi_n, respond(m, eps_trial, phi_n), out);
+          finish(eps_trial, trial, phi_n, respond(lagging, eps_trial, trial, phi_n), out);
+        } else finish(eps_trial, trial, phi_n, respond(m, eps_trial, trial, phi_n), out);
       },
       model);
   return out;
