@@ -29,7 +29,7 @@ TEST(ForceCurve, StaysNearItsNinePointSmooth) {
   }
   std::printf("force within %.2f %% of its smooth, worst at delta_bar = %.3f\n", 100 * worst, where);
   EXPECT_GT(compared, 50);
-  // Aimed at is 0.5 %. Beyond 0.3 the force alternates from step to step by up to 0.84 %: points of the core that
-  // flow on and off run ahead too far and not far enough by turns (press/midpoint_flow).
+  // Aimed at is 0.5 %. Beyond 0.3 the force alternates from step to step by up to 0.84 %: points of the core
+  // that flow on and off run ahead too far and not far enough by turns (press/midpoint_flow).
   EXPECT_LT(worst, 0.009);
 }
