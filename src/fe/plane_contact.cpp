@@ -143,13 +143,12 @@ Evaluation PlaneContact::evaluate(const std::vector<double>& x, Residual& residu
       if (!(gap < 0)) continue;
       residual.touching[e * points_per_edge + i] = 1;
       const double stiffness = stiffness_of(point);
+      const auto& [element, corner] = edge_elements[e];
       for (int k = 0; k < 2; ++k) {
         solid.force[2 * surface[e + k] + 1] -= stiffness * gap * point.N[k];
-        for (int l = 0; l < 2; ++l) {
-          const auto& [element, corner] = edge_elements[e];
+        for (int l = 0; l < 2; ++l)
           solid.tangent[64 * element + 8 * (2 * corner[l] + 1) + 2 * corner[k] + 1] +=
               stiffness * point.N[k] * point.N[l];
-        }
       }
     }
   double free = 0, reaction = 0;

@@ -19,13 +19,12 @@ namespace platen::material {
 ///
 /// Flow: associated on the cap. On line and arc
 ///
-///   by default      as vmdc flows: pure shear while p < 0, then normal to (Lambda + pi_3) p^2
-///   tan^2(beta)/Lambda +
-///                   B^2 q^2, so pure dilation at the apex. The plastic power p dv + q dw is nowhere
-///                   negative.
-///   published_flow  the paper's potential, normal to (p + pi_3)^2 tan^2(beta) + B^2 q^2: it dilates against
-///   a
-///                   pressure, and the plastic power is negative on much of the line where Lambda is small.
+///   by default      as vmdc flows: pure shear while p < 0, then normal to
+///                   (Lambda + pi_3) p^2 tan^2(beta)/Lambda + B^2 q^2, so pure dilation at the apex. The
+///                   plastic power p dv + q dw is nowhere negative.
+///   published_flow  the paper's potential, normal to (p + pi_3)^2 tan^2(beta) + B^2 q^2: it dilates
+///                   against a pressure, and the plastic power is negative on much of the line where Lambda
+///                   is small.
 ///
 /// The paper gives no pi_8, the radius of the arc. Here pi_8 = A cos(beta), A = 0.02: the top is at most 2 %
 /// below Gamma at any beta, since B = 1/(1 + pi_8 - A). Properties evolve with density, and are bounded, as
@@ -49,7 +48,7 @@ struct Dpc {
   static constexpr PhiRate phi_rate{-1, 0};
   static constexpr double A = 0.02; ///< pi_8/cos(pi_6)
 
-  /// s = -p on line and arc, from -Lambda to pi_3; the cap follows as in Vmdc, to pi_3 + b pi/2.
+  /// s = -p on line and arc, from -Lambda to pi_3; on the cap s - pi_3 is b times its angle, to b pi/2.
   struct Surface {
     Dual Lambda, Gamma, pi_3, b; ///< b: p-semi-axis of the cap
     bool published_flow;

@@ -183,8 +183,7 @@ bool bracketed_start(const M& model, TrialInvariants trial, double phi_n, std::a
 }
 
 /// The determinant `det` of the return over that with moduli and surface frozen. In isotropic compression it
-/// is 1 +
-/// (|p|/K)(d(ln sigma_y)/d(phi) - d(ln K)/d(phi)), but for the elastic volume change. Where it is not
+/// is 1 + (|p|/K)(d(ln sigma_y)/d(phi) - d(ln K)/d(phi)), but for the elastic volume change. Where it is not
 /// positive, a further compaction by plastic flow would raise the elastic pressure faster than the strength:
 /// the root is no state that a compression leads to.
 inline double densification_margin(const Return& e, double det, TrialInvariants trial, double unit) {

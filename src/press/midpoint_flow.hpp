@@ -3,9 +3,9 @@
 //
 // Each equilibrium is found by one backward Euler step of the material. Taken from the equilibrium before,
 // that is of first order: 180 steps to delta_bar = 0.5 leave a base-case granule 1.2 % too soft. Here the
-// step to the equilibrium at t_k starts halfway between t_{k-1} and t_k, from a state that continues the flow
-// met at t_{k-1}; so each return is the middle of the flow it stands for (the midpoint rule, with equilibria
-// at the midpoints). A point that begins to flow starts from its last equilibrium instead.
+// step to the equilibrium at t_k starts almost halfway between t_{k-1} and t_k, from a state that continues
+// the flow met at t_{k-1}; so each return is the middle of the flow it stands for (the midpoint rule, with
+// equilibria at the midpoints). A point that begins to flow starts from its last equilibrium instead.
 
 #include "fe/axisymmetric.hpp"
 
@@ -28,8 +28,8 @@ struct PointFlow {
   std::array<double, 4> direction{}; ///< deviator of the stress over its q: rr, zz, rz, tt
 };
 
-/// The start of the next return, from the equilibrium at `time` to that at `next_time`: halfway, if the point
-/// flows on in the same direction.
+/// The start of the next return, from the equilibrium at `time` to that at `next_time`: almost halfway, if
+/// the point has flowed in both last steps and the plane goes on.
 PointFlow next_return(const PointFlow&, double time, double next_time);
 
 /// The state that flow at a constant rate from a to b reaches after `factor` of that way: Cp_inv along the

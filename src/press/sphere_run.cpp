@@ -30,7 +30,6 @@ SphereRun::SphereRun(const Case& c)
 
 void SphereRun::restore(const State& s) {
   now = s;
-  for (std::size_t i = 0; i < s.points.size(); ++i) solid.committed[i] = s.points[i].state;
   contact.u = s.u;
 }
 
@@ -55,12 +54,11 @@ fe::StepReport SphereRun::advance(double delta_bar) {
   now.step = step;
   now.u = contact.u;
   account(delta_bar, report.iterations, points);
-  solid.commit();
   now.points = std::move(points);
   return report;
 }
 
-/// The row of the curve at the new equilibrium, before the state is committed.
+/// The row of the curve at the new equilibrium.
 void SphereRun::account(double delta_bar, int iterations, std::vector<PointFlow>& points) {
   const double R = radius_m, R2 = R * R, R3 = R2 * R;
   const fe::Contact c = contact.contact();
@@ -137,7 +135,7 @@ Statistics SphereRun::statistics() const {
 std::vector<std::string> SphereRun::flags() const {
   double reference = 0, rho_r = 0, nu = 0, epsilon = 0, pi_3 = 0, table = 0;
   for (int i = 0; i < solid.points(); ++i) {
-    const material::Bounds b = material::active_bounds(solid.model, solid.committed[i].phi);
+    const material::Bounds b = material::active_bounds(solid.model, now.points[i].state.phi);
     const double V = solid.volume[i];
     reference += V;
     rho_r += V * b.rho_r;
@@ -181,7 +179,7 @@ Snapshot SphereRun::snapshot(Branch branch) const {
       p += solid.updates[i].p / 4;
       q += solid.updates[i].q / 4;
       phi += solid.updates[i].phi / 4;
-      const auto plastic = plastic_strain(solid.committed[i]);
+      const auto plastic = plastic_strain(now.points[i].state);
       plastic_v += plastic.eps_v / 4;
       plastic_q += plastic.eps_q / 4;
     }
