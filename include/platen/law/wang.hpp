@@ -184,9 +184,13 @@ inline Wang<double> prepare_wang(const WangMaterial& m1, const Body& one, const 
   for (int i = 0; i < 4; ++i) // the radius law inverted: a few fixed-point steps, it is nearly Hertz
     law.gamma_valid *= std::pow(0.02 * law.pair.R_e / law.contact_radius(law.gamma_valid), 2);
   if (law.variant == WangVariant::published)
-    for (double gamma = law.gamma_y; gamma < 1.01 * law.gamma_valid; gamma *= 1.1) {
+    // Work returned over work put in grows or falls with gamma throughout, as gamma^(b/n - 1): the ends
+    // decide.
+    for (const double gamma : {law.gamma_y, larger(law.gamma_y, law.gamma_valid)}) {
       const Loading<double> peak = law.loading(gamma);
-      if (dissipated_work(law, gamma, peak.F, law.unloading(gamma, peak)) < 0) law.creates_energy = true;
+      const double rate = law.unloading_slope(gamma, peak) / (law.n * peak.F);
+      const double lost = dissipated_work(law, gamma, peak.F, Unloading<double>{rate, law.n});
+      law.creates_energy = law.creates_energy || lost < 1e-4 * law.work(gamma); // 1e-4: the tables' error
     }
   return law;
 }
