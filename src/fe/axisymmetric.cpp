@@ -73,9 +73,15 @@ Evaluation AxisymmetricSolid::evaluate(std::span<const double> u) {
   times.material_s += seconds_since(start);
   if (batch.refused > 0) return Evaluation::refused_material;
   start = Clock::now();
-  assemble();
+  assemble_forces();
   times.assembly_s += seconds_since(start);
   return Evaluation::done;
+}
+
+void AxisymmetricSolid::linearise() {
+  const auto start = Clock::now();
+  for (int e = 0; e < static_cast<int>(mesh.quads.size()); ++e) assemble_tangent(e);
+  times.assembly_s += seconds_since(start);
 }
 
 /// Deformation gradients, mean dilatations and trial strains.
@@ -136,21 +142,38 @@ bool AxisymmetricSolid::deform(std::span<const double> u) {
   return true;
 }
 
-void AxisymmetricSolid::assemble() {
+// dev(tau) : l + P b, with b = d(ln J_bar)/du and P the integral of tau's mean over the element.
+void AxisymmetricSolid::assemble_forces() {
   std::fill(force.begin(), force.end(), 0.0);
-  for (int e = 0; e < static_cast<int>(mesh.quads.size()); ++e) assemble_element(e);
+  for (int e = 0; e < static_cast<int>(mesh.quads.size()); ++e) {
+    const auto& quad = mesh.quads[e];
+    double P_over_v = 0;
+    for (int g = 0; g < 4; ++g) {
+      const auto& s = updates[4 * e + g].sigma;
+      P_over_v += volume[4 * e + g] / element_volume[e] * (s[0] + s[1] + s[2]) / 3;
+    }
+    for (int g = 0; g < 4; ++g) {
+      const Kinematics& k = kinematics[4 * e + g];
+      const auto& s = updates[4 * e + g].sigma;
+      const double w = volume[4 * e + g] * element_J[e], cc = k.cos * k.cos, ss = k.sin * k.sin;
+      const double spherical = volume[4 * e + g] * k.J * P_over_v - w * (s[0] + s[1] + s[2]) / 3;
+      const double rr = w * (s[0] * cc + s[1] * ss) + spherical, zz = w * (s[0] * ss + s[1] * cc) + spherical;
+      const double rz = w * (s[0] - s[1]) * k.cos * k.sin, tt = w * s[2] + spherical;
+      for (int a = 0; a < 4; ++a) {
+        force[2 * quad[a]] += rr * k.N_r[a] + rz * k.N_z[a] + tt * k.N_over_r[a];
+        force[2 * quad[a] + 1] += rz * k.N_r[a] + zz * k.N_z[a];
+      }
+    }
+  }
 }
 
 // Written in the principal axes of b_e^tr, where l_AB = d(u_A)/d(x_B) of a nodal unknown:
-//   force    tau_A l_AA + tau_m (b - tr l)                    b = d(ln J_bar)/du, tau_m = tr(tau)/3
-//   tangent  lbar_AA C_AB lbar_BB + (l_12 + l_21)(beta_1 l_12 + beta_2 l_21) - tau_A l_Ak l_kA + tau_m tr(l
-//   l)
-//            + P [(1/v) int (tr l tr l - tr(l l)) dv - b b],  P = int tau_m dV,  lbar_AA = l_AA + (b - tr
-//            l)/3
-void AxisymmetricSolid::assemble_element(int e) {
-  const auto u = unknowns_of(e);
+//   lbar_AA C_AB lbar_BB + (l_12 + l_21)(beta_1 l_12 + beta_2 l_21) - tau_A l_Ak l_kA + tau_m tr(l l)
+//   + P [(1/v) int (tr l tr l - tr(l l)) dv - b b]
+// with tau_m = tr(tau)/3, P = int tau_m dV, b = d(ln J_bar)/du, lbar_AA = l_AA + (b - tr l)/3.
+void AxisymmetricSolid::assemble_tangent(int e) {
   const double J_bar = element_J[e], v = J_bar * element_volume[e];
-  double tr[4][8], b[8] = {}, P = 0, f[8] = {};
+  double tr[4][8], b[8] = {}, P = 0;
   // The matrix is a sum of products of a vector with a transposed vector: nine a Gauss point, and the mean
   // dilatation's own.
   constexpr int terms = 9 * 4 + 1;
@@ -196,7 +219,6 @@ void AxisymmetricSolid::assemble_element(int e) {
     for (int i = 0; i < 8; ++i) {
       const double third = (b[i] - tr[g][i]) / 3;
       const double bar[3] = {l11[i] + third, l22[i] + third, ltt[i] + third}, shear = l12[i] + l21[i];
-      f[i] += tau[0] * l11[i] + tau[1] * l22[i] + tau[2] * ltt[i] + 3 * tau_m * third;
       for (int B = 0; B < 3; ++B) {
         L[B][i] = bar[0] * C[0][B] + bar[1] * C[1][B] + bar[2] * C[2][B];
         R[B][i] = bar[B];
@@ -210,7 +232,6 @@ void AxisymmetricSolid::assemble_element(int e) {
     }
   }
   for (int i = 0; i < 8; ++i) {
-    force[u[i]] += f[i];
     left[terms - 1][i] = -P * b[i];
     right[terms - 1][i] = b[i];
   }

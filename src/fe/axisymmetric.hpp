@@ -37,9 +37,11 @@ class AxisymmetricSolid {
   std::array<int, 8> unknowns_of(int element) const;
   int points() const { return 4 * static_cast<int>(mesh.quads.size()); }
 
-  /// Internal forces (2 pi included, unit R0^2 Pa) and tangent at displacements u (r and z of each node, in
-  /// units of R0), from the state `committed`. Where it fails the rest is unspecified.
+  /// Internal forces (2 pi included, unit R0^2 Pa) at displacements u (r and z of each node, in units of R0),
+  /// from the state `committed`. Where it fails the rest is unspecified.
   [[nodiscard]] Evaluation evaluate(std::span<const double> u);
+  /// The tangent at the last evaluation.
+  void linearise();
 
   /// Makes the state of the last evaluation the committed one.
   void commit();
@@ -73,8 +75,8 @@ class AxisymmetricSolid {
   };
 
   bool deform(std::span<const double> u);
-  void assemble();
-  void assemble_element(int element);
+  void assemble_forces();
+  void assemble_tangent(int element);
 
   std::vector<Shape> shapes;
   std::vector<Kinematics> kinematics;

@@ -130,7 +130,7 @@ double PlaneContact::radius(const EdgePoint& point, int edge) const {
   return r;
 }
 
-/// Forces and tangent of solid and contact.
+/// Forces of solid and contact.
 Evaluation PlaneContact::evaluate(const std::vector<double>& x, Residual& residual) {
   const Evaluation evaluation = solid.evaluate(x);
   if (evaluation != Evaluation::done) return evaluation;
@@ -143,13 +143,7 @@ Evaluation PlaneContact::evaluate(const std::vector<double>& x, Residual& residu
       if (!(gap < 0)) continue;
       residual.touching[e * points_per_edge + i] = 1;
       const double stiffness = stiffness_of(point);
-      const auto& [element, corner] = edge_elements[e];
-      for (int k = 0; k < 2; ++k) {
-        solid.force[2 * surface[e + k] + 1] -= stiffness * gap * point.N[k];
-        for (int l = 0; l < 2; ++l)
-          solid.tangent[64 * element + 8 * (2 * corner[l] + 1) + 2 * corner[k] + 1] +=
-              stiffness * point.N[k] * point.N[l];
-      }
+      for (int k = 0; k < 2; ++k) solid.force[2 * surface[e + k] + 1] -= stiffness * gap * point.N[k];
     }
   double free = 0, reaction = 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
@@ -160,19 +154,24 @@ Evaluation PlaneContact::evaluate(const std::vector<double>& x, Residual& residu
   return std::isfinite(residual.relative) ? Evaluation::done : Evaluation::inverted_element;
 }
 
-/// Newton correction of the free unknowns. False where the tangent is singular.
-bool PlaneContact::correct(std::vector<double>& correction) {
+/// Factorises the tangent of solid and contact. False where it is singular.
+bool PlaneContact::linearise(const Residual& residual) {
+  solid.linearise();
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    for (int i = 0; i < points_per_edge; ++i) {
+      if (!residual.touching[e * points_per_edge + i]) continue;
+      const EdgePoint& point = edges[e][i];
+      const auto& [element, corner] = edge_elements[e];
+      for (int k = 0; k < 2; ++k)
+        for (int l = 0; l < 2; ++l)
+          solid.tangent[64 * element + 8 * (2 * corner[l] + 1) + 2 * corner[k] + 1] +=
+              stiffness_of(point) * point.N[k] * point.N[l];
+    }
   for (const auto& [element, i] : fixed_in_elements)
     for (int j = 0; j < 8; ++j)
       if (j != i) solid.tangent[64 * element + 8 * i + j] = solid.tangent[64 * element + 8 * j + i] = 0;
-  {
-    Stopwatch watch(solid.times.factorisation_s);
-    if (!solver.factorise(solid.tangent)) return false;
-  }
-  Stopwatch watch(solid.times.solve_s);
-  for (std::size_t i = 0; i < correction.size(); ++i) correction[i] = -solid.force[i];
-  solver.solve(correction);
-  return true;
+  Stopwatch watch(solid.times.factorisation_s);
+  return solver.factorise(solid.tangent);
 }
 
 StepReport PlaneContact::solve(double height_, std::vector<double> x) {
@@ -217,7 +216,12 @@ StepReport PlaneContact::solve(double height_, std::vector<double> x) {
     if (residual.relative > diverged && report.iterations > 3) return give_up("the iteration diverged");
     if (report.iterations == settings.iterations_max) return give_up("the iteration did not converge");
 
-    if (!correct(correction)) return give_up("the tangent is singular");
+    if (!linearise(residual)) return give_up("the tangent is singular");
+    for (std::size_t i = 0; i < correction.size(); ++i) correction[i] = -solid.force[i];
+    {
+      Stopwatch watch(solid.times.solve_s);
+      solver.solve(correction);
+    }
     slope_0 = -dot(correction, solid.force);
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += correction[i];
   }

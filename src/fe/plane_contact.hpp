@@ -79,7 +79,7 @@ class PlaneContact {
   double height_above_plane(const EdgePoint&, int edge, const std::vector<double>& x) const;
   double radius(const EdgePoint&, int edge) const;
   Evaluation evaluate(const std::vector<double>& x, Residual&);
-  bool correct(std::vector<double>& correction);
+  bool linearise(const Residual&);
 
   AxisymmetricSolid& solid;
   NewtonSettings settings;

@@ -13,7 +13,8 @@ using namespace platen;
 namespace {
 
 /// The tangent, summed from its element matrices; by rows.
-std::vector<double> dense_tangent(const fe::AxisymmetricSolid& solid) {
+std::vector<double> dense_tangent(fe::AxisymmetricSolid& solid) {
+  solid.linearise();
   const int n = solid.unknowns();
   std::vector<double> K(n * n);
   for (int e = 0; e < static_cast<int>(solid.mesh.quads.size()); ++e) {
