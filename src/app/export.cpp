@@ -34,8 +34,9 @@ std::string table_of(const fit::LawCard& card, const law::AnyLaw& law, const std
     const auto r = law::evaluate(law, {}, overlap);
     const auto end = std::visit(
         [&](const auto& l) {
-          if (overlap <= l.gamma_elastic) return law::Unloading<double>{1 / overlap, 1.5}; // retraces
-          return l.unloading(overlap, l.loading(overlap));
+          if (overlap <= l.gamma_elastic) // retraces
+            return law::Unloading<double>{1 / overlap, r.stiffness * overlap / r.force};
+          return law::peak_at(l, overlap).end;
         },
         law);
     fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{}\n", core::number_text(overlap),

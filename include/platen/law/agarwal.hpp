@@ -10,6 +10,7 @@
 #include "platen/law/agarwal_curve.hpp"
 #include "platen/law/curve_table.hpp"
 #include "platen/law/pair.hpp"
+#include "platen/law/peak_table.hpp"
 
 #include <tuple>
 
@@ -41,6 +42,7 @@ struct Agarwal {
   SlopeTable slopes;      ///< from x_y to x_cap
   LogTable<3, 216> radii; ///< a_bar, from x_y to x_cap: 1e-5 of (2.13)
   double slope_at_cap = 0;
+  PeakTable peaks;
 
   /// F_bar, dF_bar/dx and the history, all but the radius.
   PLATEN_HOT void force(double x, Loading<double>& here) const {
@@ -193,6 +195,7 @@ inline Agarwal prepare_agarwal(const AgarwalMaterial& m1, const Body& one, const
   law.slopes.make(curve.x_y, law.x_cap, slope);
   law.radii.make(curve.x_y, law.x_cap, [&](double x) { return curve.at(x).a; });
   law.slope_at_cap = slope(law.x_cap) / law.x_cap;
+  law.peaks.make(law, law.x_cap / law.pair.x_per_gamma);
   return law;
 }
 

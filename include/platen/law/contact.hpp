@@ -123,18 +123,53 @@ template <class Real> PLATEN_FUNCTION Real mean_pressure(const Real& F, const Re
   return a > Real(0) ? F / (Real(std::numbers::pi) * a * a) : Real(0);
 }
 
+} // namespace detail
+
+/// What is kept of the loading curve and of the unloading that leaves it at the largest overlap.
+template <class Real = double> struct Peak {
+  Real F{};            ///< [N]
+  Real slope{};        ///< of the loading curve [N/m]
+  Real a{};            ///< contact radius [m]
+  Unloading<Real> end; ///< of the contact
+  Real work{};         ///< of loading [J]
+};
+
+namespace detail {
+
 /// Work that unloading from gamma_max does not return.
-template <class Law, class Real>
-PLATEN_HOT Real dissipated_work(const Law& law, const Real& gamma_max, const Real& F_max,
-                                const Unloading<Real>& end) {
-  Real back = F_max / (end.rate * (Real(1) + end.alpha));
-  const Real xi = Real(1) - end.rate * gamma_max;
+template <class Real> PLATEN_HOT Real dissipated_work(const Real& gamma_max, const Peak<Real>& peak) {
+  const auto& [rate, alpha] = peak.end;
+  Real back = peak.F / (rate * (Real(1) + alpha));
+  const Real xi = Real(1) - rate * gamma_max;
   if (Real(1e-9) < xi) // only some published curves, which still carry force when the bodies part
-    back = back * (Real(1) - xi * power(xi, end.alpha));
-  return law.work(gamma_max) - back;
+    back = back * (Real(1) - xi * power(xi, alpha));
+  return peak.work - back;
 }
 
 } // namespace detail
+
+/// From the formulas of the law.
+template <ContactLaw Law, class Real = typename Law::Scalar>
+PLATEN_HOT Peak<Real> formula_peak(const Law& law, const Real& gamma) {
+  const Loading<Real> l = law.loading(gamma);
+  if (!(Real(0) < l.F)) return {}; // an overlap so small that its force is no number
+  return {l.F, l.slope, l.a, law.unloading(gamma, l), law.work(gamma)};
+}
+
+/// Out of line, for laws whose table serves nearly always.
+template <ContactLaw Law, class Real = typename Law::Scalar>
+PLATEN_RARE Peak<Real> rare_peak(const Law& law, const Real& gamma) {
+  return formula_peak(law, gamma);
+}
+
+/// From the law's table (peak_table.hpp), where it has one that holds here.
+template <ContactLaw Law, class Real = typename Law::Scalar>
+PLATEN_HOT Peak<Real> peak_at(const Law& law, const Real& gamma) {
+  if constexpr (requires(Peak<Real> peak) { law.peaks.at(gamma, peak); }) {
+    Peak<Real> peak;
+    return law.peaks.at(gamma, peak) ? peak : rare_peak(law, gamma);
+  } else return formula_peak(law, gamma);
+}
 
 /// The whole law in one pure step: remembered state and overlap in, response and new state out. On the
 /// loading curve the unloading formula returns F_max itself, so loading and unloading share one path without
@@ -151,10 +186,10 @@ PLATEN_HOT BasicResponse<Real> evaluate(const Law& law, const BasicState<Real>& 
   const bool elastic = gamma_max <= law.gamma_elastic;
   const Real top = elastic ? gamma : gamma_max; // where the loading curve is left
   if (!(Real(0) < top)) return now;             // never touched, or apart without a trace
-  const Loading<Real> peak = law.loading(top);
-  if (!(Real(0) < peak.F)) return now; // an overlap so small that its force is no number
-  const Unloading<Real> end = law.unloading(top, peak);
-  now.dissipated_work = elastic ? Real(0) : detail::dissipated_work(law, top, peak.F, end);
+  const Peak<Real> peak = peak_at(law, top);
+  if (!(Real(0) < peak.F)) return now;
+  const Unloading<Real>& end = peak.end;
+  now.dissipated_work = elastic ? Real(0) : detail::dissipated_work(top, peak);
   const Real xi = Real(1) - end.rate * (top - gamma);
   if (!(Real(0) < xi && Real(0) < gamma)) return now; // separated
 

@@ -30,7 +30,6 @@ struct CurveHistory {
 };
 
 /// S gamma_max [N] against x: what unloading_from_slope takes. 26 octaves.
-/// octaves.
 using SlopeTable = LogTable<2, 108>;
 
 class LoadingTable {

@@ -10,9 +10,9 @@
 // finite elements (von Mises, E/sigma_y = 100), see docs/laws/edmans-sinka.md.
 
 #include "platen/law/contact.hpp"
-#include "platen/law/curve_table.hpp"
 #include "platen/law/edmans_sinka_curve.hpp"
 #include "platen/law/pair.hpp"
+#include "platen/law/peak_table.hpp"
 #include "platen/law/radius_polynomial.hpp"
 
 #include <tuple>
@@ -54,30 +54,14 @@ template <class Real = double> struct EdmansSinka {
   Real force_scale{};   ///< pi R_e^2 sigma_ref [N]
   Real gamma_elastic{}; ///< 0: the law has no elastic range
   Real gamma_limit{};
-  SlopeTable slopes;         ///< S gamma_max of the generic unloading, for double
-  LogTable<4, 128> rates[2]; ///< rate gamma_max of the generic unloading below and above delta_t, for double
-  double x_fast = infinity;  ///< from here on they hold
-  bool plain = false;        ///< a variant that is (6) itself
+  PeakTable peaks; ///< for double
   int unloadings = 0;
   Real unload_x[EdmansSinkaMaterial::most_unloadings]{};
   Real alpha[EdmansSinkaMaterial::most_unloadings]{};
   Real beta[EdmansSinkaMaterial::most_unloadings]{};
 
-  [[nodiscard]] PLATEN_HOT Loading<Real> loading(const Real& gamma) const {
+  [[nodiscard]] PLATEN_FUNCTION Loading<Real> loading(const Real& gamma) const {
     const Real x = gamma * pair.x_per_gamma;
-    if constexpr (std::same_as<Real, double>) {
-      if (plain && x < EdmansSinkaCurve<double>::x_end) { // (6) without a branch
-        const double first = smaller(x, curve.delta_t), ax = curve.a * (x - first);
-        const double F = force_scale * curve.k * first * detail::fast_exp(ax);
-        const bool exponential = curve.delta_t < x;
-        return {F, (exponential ? curve.a * F : force_scale * curve.k) * pair.x_per_gamma,
-                pair.R_e * radius.a_bar(x), exponential ? larger(1.0, curve.a * x) : 1.0, radius_log_slope};
-      }
-    }
-    return general_loading(x);
-  }
-
-  [[nodiscard]] PLATEN_FUNCTION Loading<Real> general_loading(const Real& x) const {
     const auto point = curve.at(x);
     const bool inside = x < Real(EdmansSinkaCurve<Real>::x_end);
     return {force_scale * point.F_bar, force_scale * pair.x_per_gamma * point.slope,
@@ -93,26 +77,14 @@ template <class Real = double> struct EdmansSinka {
     return force_scale / pair.x_per_gamma * curve.work(gamma * pair.x_per_gamma);
   }
 
-  [[nodiscard]] PLATEN_HOT Unloading<Real> unloading(const Real& gamma, const Loading<Real>& peak) const {
-    if constexpr (std::same_as<Real, double>) {
-      const double x = gamma * pair.x_per_gamma;
-      if (x_fast < x && x < EdmansSinkaCurve<double>::x_end)
-        return {rates[x > curve.delta_t].value(x) / gamma, 1.5};
-      if (slopes.x_low < x && x < slopes.x_high)
-        return unloading_from_slope(gamma, peak, slopes.value(x), 1.5);
-    }
-    return any_unloading(gamma, peak);
-  }
-
-  /// Very small or far contacts, measured unloading curves, other scalars.
-  [[nodiscard]] PLATEN_RARE Unloading<Real> any_unloading(const Real& gamma,
+  [[nodiscard]] PLATEN_FUNCTION Unloading<Real> unloading(const Real& gamma,
                                                           const Loading<Real>& peak) const {
     if (unloadings > 0) return measured_unloading(gamma, peak);
     return unloading_from_slope(gamma, peak, pair.unloading_slope(peak.a) * gamma, Real(1.5));
   }
 
-  [[nodiscard]] PLATEN_RARE Unloading<Real> measured_unloading(const Real& gamma,
-                                                               const Loading<Real>& peak) const {
+  [[nodiscard]] PLATEN_FUNCTION Unloading<Real> measured_unloading(const Real& gamma,
+                                                                   const Loading<Real>& peak) const {
     using std::cbrt;
     const Real x = gamma * pair.x_per_gamma;
     int i = 0;
@@ -153,38 +125,6 @@ inline void check(const EdmansSinkaMaterial& m) {
   }
 }
 
-/// The generic unloading slope against x; it depends on the radius and both sides' elasticity, not on the
-/// force.
-inline void tabulate_slopes(EdmansSinka<double>& law) {
-  constexpr double x_end = EdmansSinkaCurve<double>::x_end, least = 0x1p-6;
-  // rate gamma_max, or nothing where the generic curve has to be bent or stiffened, or nearly: between the
-  // places where it is looked at, it moves by less than this margin.
-  constexpr double margin = 1.05;
-  const auto rate = [&](double x) {
-    const double gamma = x / law.pair.x_per_gamma;
-    const Loading<double> peak = law.loading(gamma);
-    const double beta = law.pair.unloading_slope(peak.a) * gamma / peak.F;
-    return beta > margin * 1.5 && beta > margin * 2 * peak.steepest ? beta / 1.5 : 0;
-  };
-  law.x_fast = infinity;
-  if (law.unloadings > 0) return;
-  law.slopes.make(0x1p-20, x_end, [&](double x) {
-    return law.pair.unloading_slope(law.pair.R_e * law.radius.a_bar(x)) * x / law.pair.x_per_gamma;
-  });
-  if (!law.plain || rate(x_end) == 0) return;
-  double x = x_end;
-  while (x > least && rate(x / 1.01) > 0) x /= 1.01;
-  if (x > 0.9 * x_end) return;
-  const double kink = law.curve.delta_t; // of F, hence of the rate: one table on either side
-  for (const double side : {kink * (1 - 1e-15), kink * (1 + 1e-15)})
-    if (x < side && side < x_end && rate(side) == 0) return;
-  law.x_fast = x;
-  if (x < kink) law.rates[0].make(x, kink, [&](double at) { return rate(smaller(at, kink * (1 - 1e-15))); });
-  if (kink < x_end)
-    law.rates[1].make(larger(x, kink), x_end,
-                      [&](double at) { return rate(larger(at, kink * (1 + 1e-15))); });
-}
-
 inline auto strength(const EdmansSinkaMaterial& m) {
   return std::make_tuple(m.sigma_ref * m.k * m.delta_t, m.sigma_ref, m.k, m.a, m.corner, m.variant);
 }
@@ -208,14 +148,12 @@ inline EdmansSinka<double> prepare(const EdmansSinkaMaterial& m1, double R1, con
   law.radius_log_slope = soft.radius.least_log_slope(EdmansSinkaCurve<double>::x_end);
   law.force_scale = std::numbers::pi * law.pair.R_e * law.pair.R_e * soft.sigma_ref;
   law.gamma_limit = 1000 / law.pair.x_per_gamma;
-  law.plain = soft.variant == EdmansSinkaVariant::published ||
-              soft.variant == EdmansSinkaVariant::published_corrected;
-  detail::tabulate_slopes(law);
   for (int i = 0; i < soft.unloadings; ++i) {
     law.unload_x[i] = soft.unload_delta_bar[i];
     law.alpha[i] = soft.alpha[i];
     law.beta[i] = soft.beta[i];
   }
+  law.peaks.make(law, EdmansSinkaCurve<double>::x_end / law.pair.x_per_gamma);
   return law;
 }
 
@@ -227,8 +165,9 @@ inline EdmansSinka<double> prepare_on_rigid_plane(const EdmansSinkaMaterial& m, 
   EdmansSinka<double> law = prepare(m, R);
   law.pair = make_pair(sphere(R, m.E, m.nu), rigid_plane());
   law.force_scale = std::numbers::pi * law.pair.R_e * law.pair.R_e * m.sigma_ref;
-  detail::tabulate_slopes(law);
   law.gamma_limit = 1000 / law.pair.x_per_gamma;
+  law.gamma_elastic = 0;
+  law.peaks.make(law, EdmansSinkaCurve<double>::x_end / law.pair.x_per_gamma);
   return law;
 }
 

@@ -8,6 +8,7 @@
 
 #include "platen/law/curve_table.hpp"
 #include "platen/law/pair.hpp"
+#include "platen/law/peak_table.hpp"
 #include "platen/law/shahin_curve.hpp"
 #include "platen/law/similarity.hpp"
 
@@ -39,6 +40,7 @@ struct Shahin {
   CurveHistory at_cap;
   SlopeTable slopes; ///< from x_table to x_cap
   double slope_at_cap = 0;
+  PeakTable peaks;
 
   static constexpr double x_table = 0x1p-24; ///< the table starts here
   static constexpr double X_end = 0.9995;    ///< how far towards the full cell (3.58) is followed
@@ -150,6 +152,7 @@ inline Shahin prepare_shahin(const ShahinMaterial& m1, const Body& one, const Sh
   };
   law.slopes.make(Shahin::x_table, law.x_cap, slope);
   law.slope_at_cap = slope(law.x_cap) / law.x_cap;
+  law.peaks.make(law, law.x_cap / law.pair.x_per_gamma);
   return law;
 }
 

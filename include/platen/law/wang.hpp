@@ -10,10 +10,9 @@
 // Valid for E 10-30 GPa, nu 0.1-0.3, phi 20-40 deg, sigma_c 5-50 MPa, a/R < 0.02 (3.1, Table 1).
 
 #include "platen/law/contact.hpp"
-#include "platen/law/curve_table.hpp"
 #include "platen/law/drucker_prager_yield.hpp"
 #include "platen/law/pair.hpp"
-#include "platen/law/power_table.hpp"
+#include "platen/law/peak_table.hpp"
 
 #include <tuple>
 
@@ -67,21 +66,12 @@ template <class Real = double> struct Wang {
   bool material_in_range = true;
   bool creates_energy = false;
   WangVariant variant = WangVariant::generic;
-  PowerTable powers; ///< of b, for double
-  SlopeTable slopes; ///< gamma_max S against gamma_max
-  SlopeTable radii;  ///< contact radius against gamma
+  PeakTable peaks; ///< for double
 
-  [[nodiscard]] PLATEN_HOT Loading<Real> loading(const Real& gamma) const {
+  [[nodiscard]] PLATEN_FUNCTION Loading<Real> loading(const Real& gamma) const {
     using std::pow;
     const Real least = variant == WangVariant::generic ? Real(0.5) : (b - Real(1)) / n;
     const Real omega = gamma / gamma_y;
-    if constexpr (std::same_as<Real, double>) {
-      if (powers.covers(omega)) {
-        const double F = F_y * a * powers.value(omega);
-        const bool tabled = radii.x_low < gamma && gamma < radii.x_high;
-        return {F, b * F / gamma, tabled ? radii.value(gamma) : contact_radius(gamma), b, least};
-      }
-    }
     const Real F = F_y * a * pow(omega, b);
     return {F, b * F / gamma, contact_radius(gamma), b, least};
   }
@@ -107,16 +97,10 @@ template <class Real = double> struct Wang {
     return loading(gamma).F * gamma / (Real(1) + b);
   }
 
-  [[nodiscard]] PLATEN_HOT Unloading<Real> unloading(const Real& gamma, const Loading<Real>& peak) const {
-    if (gamma <= gamma_y) return {Real(0), Real(1.5)}; // never followed: elastic
+  [[nodiscard]] PLATEN_FUNCTION Unloading<Real> unloading(const Real& gamma,
+                                                          const Loading<Real>& peak) const {
+    if (gamma < gamma_y) return {Real(0), Real(1.5)}; // never followed: elastic
     const Real alpha = variant == WangVariant::generic ? Real(1.5) : n;
-    if constexpr (std::same_as<Real, double>) {
-      if (slopes.x_low < gamma && gamma < slopes.x_high) {
-        const double S_gamma = slopes.value(gamma);
-        if (variant == WangVariant::published) return {S_gamma / (n * peak.F * gamma), n};
-        return unloading_from_slope(gamma, peak, S_gamma, alpha);
-      }
-    }
     const Real S = unloading_slope(gamma, peak);
     if (variant == WangVariant::published) return {S / (n * peak.F), n};
     return unloading_from_slope(gamma, peak, S * gamma, alpha);
@@ -171,10 +155,6 @@ inline Wang<double> prepare_wang(const WangMaterial& m1, const Body& one, const 
     require("wang", "n", law.n, {1, 3});
   }
   law.gamma_elastic = law.gamma_y;
-  law.powers.make(law.b);
-  law.radii.make(law.gamma_y, 1e4 * law.gamma_y, [&](double gamma) { return law.contact_radius(gamma); });
-  law.slopes.make(law.gamma_y, 1e4 * law.gamma_y,
-                  [&](double gamma) { return law.unloading_slope(gamma, law.loading(gamma)) * gamma; });
   law.gamma_limit = 1000 / law.pair.x_per_gamma;
   const auto inside = [](double v, double least, double most) { return v >= least && v <= most; };
   for (const WangMaterial& m : {m1, m2})
@@ -187,11 +167,13 @@ inline Wang<double> prepare_wang(const WangMaterial& m1, const Body& one, const 
     // Work returned over work put in grows or falls with gamma throughout, as gamma^(b/n - 1): the ends
     // decide.
     for (const double gamma : {law.gamma_y, larger(law.gamma_y, law.gamma_valid)}) {
-      const Loading<double> peak = law.loading(gamma);
-      const double rate = law.unloading_slope(gamma, peak) / (law.n * peak.F);
-      const double lost = dissipated_work(law, gamma, peak.F, Unloading<double>{rate, law.n});
-      law.creates_energy = law.creates_energy || lost < 1e-4 * law.work(gamma); // 1e-4: the tables' error
+      const Loading<double> at = law.loading(gamma);
+      const Unloading<double> end{law.unloading_slope(gamma, at) / (law.n * at.F), law.n};
+      const double work = law.work(gamma);
+      law.creates_energy |=
+          dissipated_work(gamma, Peak<double>{at.F, at.slope, at.a, end, work}) < 1e-9 * work;
     }
+  law.peaks.make(law, 0.5 / law.pair.x_per_gamma);
   return law;
 }
 

@@ -1,7 +1,5 @@
 #include "platen/law/fast_power.hpp"
 
-#include "platen/law/power_table.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -22,20 +20,6 @@ TEST(FastPower, AgreesWithTheLibrary) {
   }
   EXPECT_EQ(detail::fast_power(1, 3.3), 1);
   EXPECT_EQ(detail::fast_power(1e-300, 16), 0);
-}
-
-TEST(PowerTable, AgreesWithTheLibrary) {
-  std::mt19937_64 random(3);
-  std::uniform_real_distribution<double> u(0, 1);
-  for (int j = 0; j < 100; ++j) {
-    PowerTable table;
-    const double b = 3 * u(random);
-    table.make(b);
-    for (int i = 0; i < 1000; ++i) {
-      const double x = std::exp2(190 * u(random) - 95);
-      ASSERT_NEAR(table.value(x) / std::pow(x, b), 1, 2e-11) << x << ' ' << b;
-    }
-  }
 }
 
 } // namespace
