@@ -195,7 +195,7 @@ inline Agarwal prepare_agarwal(const AgarwalMaterial& m1, const Body& one, const
   law.slopes.make(curve.x_y, law.x_cap, slope);
   law.radii.make(curve.x_y, law.x_cap, [&](double x) { return curve.at(x).a; });
   law.slope_at_cap = slope(law.x_cap) / law.x_cap;
-  law.peaks.make(law, law.x_cap / law.pair.x_per_gamma);
+  law.peaks.make(law, law.gamma_elastic, law.x_cap / law.pair.x_per_gamma);
   return law;
 }
 

@@ -153,7 +153,7 @@ inline EdmansSinka<double> prepare(const EdmansSinkaMaterial& m1, double R1, con
     law.alpha[i] = soft.alpha[i];
     law.beta[i] = soft.beta[i];
   }
-  law.peaks.make(law, EdmansSinkaCurve<double>::x_end / law.pair.x_per_gamma);
+  law.peaks.make(law, 0, EdmansSinkaCurve<double>::x_end / law.pair.x_per_gamma);
   return law;
 }
 
@@ -167,7 +167,7 @@ inline EdmansSinka<double> prepare_on_rigid_plane(const EdmansSinkaMaterial& m, 
   law.force_scale = std::numbers::pi * law.pair.R_e * law.pair.R_e * m.sigma_ref;
   law.gamma_limit = 1000 / law.pair.x_per_gamma;
   law.gamma_elastic = 0;
-  law.peaks.make(law, EdmansSinkaCurve<double>::x_end / law.pair.x_per_gamma);
+  law.peaks.make(law, 0, EdmansSinkaCurve<double>::x_end / law.pair.x_per_gamma);
   return law;
 }
 

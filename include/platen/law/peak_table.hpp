@@ -16,14 +16,13 @@ namespace platen::law {
 
 class PeakTable {
  public:
-  /// Up to `high`, from 2^-20 of it. Where unloading still retraces a loading curve that is one power, the
-  /// law is elastic: its `gamma_elastic` is moved there.
-  template <class Law> void make(Law& law, double high) {
+  /// Up to `high`, from `low` or 2^-20 of `high`. Where unloading still retraces a loading curve that is one
+  /// power, the law is elastic: its `gamma_elastic` is moved there.
+  template <class Law> void make(Law& law, double low, double high) {
     base_ = cell_bits(high * 0x1p-20);
-    const double formulas_to = law.gamma_elastic; // Hertz needs no table, and is exact
     law.gamma_elastic = end_of_retracing(law, left_of(0), high);
     for (int i = 0; i < cells; ++i)
-      if (left_of(i) >= formulas_to) cell_[i] = made(law, left_of(i), left_of(i + 1));
+      if (left_of(i) >= low) cell_[i] = made(law, left_of(i), left_of(i + 1));
       else cell_[i] = {};
   }
 

@@ -152,7 +152,7 @@ inline Shahin prepare_shahin(const ShahinMaterial& m1, const Body& one, const Sh
   };
   law.slopes.make(Shahin::x_table, law.x_cap, slope);
   law.slope_at_cap = slope(law.x_cap) / law.x_cap;
-  law.peaks.make(law, law.x_cap / law.pair.x_per_gamma);
+  law.peaks.make(law, 0, law.x_cap / law.pair.x_per_gamma);
   return law;
 }
 

@@ -173,7 +173,7 @@ inline Wang<double> prepare_wang(const WangMaterial& m1, const Body& one, const 
       law.creates_energy |=
           dissipated_work(gamma, Peak<double>{at.F, at.slope, at.a, end, work}) < 1e-9 * work;
     }
-  law.peaks.make(law, 0.5 / law.pair.x_per_gamma);
+  law.peaks.make(law, 0, 0.5 / law.pair.x_per_gamma);
   return law;
 }
 
