@@ -73,19 +73,32 @@ struct Mdr {
     return unloading(gamma, loading(gamma)).rate * gamma >= least_rate;
   }
 
-  /// Integral of (2x - x^2 + c)(1 + 1.75 exp(-4.4 x)).
-  [[nodiscard]] PLATEN_FUNCTION double work_bar(double x) const {
+  /// Integral of a^2 p_Y/(R^2 sigma_y) = (x_Y + 2 (1 - x_Y) u - u^2)(1 + 1.75 exp(-4.4 (x_Y + u))) from u =
+  /// 0.
+  [[nodiscard]] PLATEN_FUNCTION double work_bar(double x_Y, double u) const {
     constexpr double k = 4.4;
-    const double tail = (x * (2 - x) + c + ((2 - 2 * x) - 2 / k) / k) / k;
-    return x * x * (1 - x / 3) + c * x - 1.75 * std::exp(-k * x) * tail;
+    const auto a2 = [&](double v) { return x_Y + v * (2 * (1 - x_Y) - v); };
+    const double plain = u * (x_Y + u * (1 - x_Y - u / 3));
+    double falling = 0;
+    if (u < 0.1) { // the closed form would cancel; five Gauss points are exact to 1e-13 here
+      constexpr double at[3] = {0, 0.5384693101056831, 0.9061798459386640};
+      constexpr double weight[3] = {0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
+      for (int i = -2; i <= 2; ++i) {
+        const double v = u / 2 * (1 + (i < 0 ? -at[-i] : at[i]));
+        falling += u / 2 * weight[i < 0 ? -i : i] * a2(v) * std::exp(-k * v);
+      }
+    } else {
+      const auto tail = [&](double v) { return (a2(v) + (2 * (1 - x_Y) - 2 * v - 2 / k) / k) / k; };
+      falling = tail(0) - std::exp(-k * u) * tail(u);
+    }
+    return plain + 1.75 * std::exp(-k * x_Y) * falling;
   }
 
   [[nodiscard]] PLATEN_FUNCTION double work(double gamma) const {
     if (gamma <= gamma_elastic) return 0.4 * gamma * loading(gamma).F;
     const double x_Y = gamma_elastic * pair.x_per_gamma, x = smaller(gamma * pair.x_per_gamma, x_valid);
-    double W = 0.4 * gamma_elastic * loading(gamma_elastic).F + std::numbers::pi * flat.R * flat.R * sigma_y *
-                                                                    (work_bar(x) - work_bar(x_Y)) /
-                                                                    pair.x_per_gamma;
+    double W = 0.4 * gamma_elastic * loading(gamma_elastic).F +
+               std::numbers::pi * flat.R * flat.R * sigma_y * work_bar(x_Y, x - x_Y) / pair.x_per_gamma;
     const double more = gamma - x_valid / pair.x_per_gamma;
     if (more > 0) {
       const Loading<double> end = loading(x_valid / pair.x_per_gamma);
