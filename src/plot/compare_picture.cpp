@@ -37,7 +37,7 @@ void compare_picture(const fit::Reference& reference, const std::vector<fit::Tra
   const Unit unit =
       unit_for(F_max, {{"MN", 1e6}, {"kN", 1e3}, {"N", 1}, {"mN", 1e-3}, {"µN", 1e-6}, {"nN", 1e-9}});
   const double x_max = reference.delta.back() / reference.radius_m;
-  std::string script = terminal(file, 960, 720);
+  std::string script = terminal(file, 1000, 720);
   const auto everywhere = [](std::size_t) { return true; };
   script += block(
       "reference", reference, [&](std::size_t i) { return reference.trace.force[i] / unit.in_SI; },
@@ -56,37 +56,44 @@ void compare_picture(const fit::Reference& reference, const std::vector<fit::Tra
   script += fmt::format(
       "set border 3 lc rgb '{0}'\nset tics nomirror out scale 0.5 tc rgb '{0}'\nset grid lc rgb '#e3e7eb' lt "
       "1 lw 1\n"
-      "set key at screen 0.70,0.93 left top Left reverse noenhanced samplen 2 spacing 1.25 maxrows 24 tc rgb "
-      "'{0}'\n"
+      "unset key\n"
       "set multiplot\nset lmargin at screen 0.085\nset rmargin at screen 0.68\n"
       "set tmargin at screen 0.93\nset bmargin at screen 0.46\nset title {1} noenhanced tc rgb '{0}'\n"
       "set xrange [0:{2}]\nset yrange [0:{3}]\nset xtics {4}\nset xlabel 'overlap  δ/R' offset 0,0.5 tc rgb "
       "'{0}'\n"
       "set ylabel 'force F ({5})' tc rgb '{0}'\n",
       ink, gnuplot_string(title), x_max * 1.02, 1.5 * F_max / unit.in_SI, tick(x_max, 8), unit.name);
-  script += fmt::format("plot $reference with lines lw 4 lc rgb 'black' title {}",
-                        gnuplot_string(reference.trace.name));
-  const auto lines = [&](const char* inside, const char* outside, bool titled) {
+  const auto width = [&](std::size_t k) { return k < colours.size() ? 1.8 : 3; };
+  const auto lines = [&](const char* inside, const char* outside) {
     std::string text;
-    for (std::size_t k = 0; k < traces.size(); ++k) {
-      const char* colour = colours[k % colours.size()];
-      const double width = k < colours.size() ? 1.8 : 3;
+    for (std::size_t k = 0; k < traces.size(); ++k)
       text += fmt::format(
-          ", ${}{} with lines lw {} lc rgb '{}' {}, ${}{} with lines lw {} dt (5,4) lc rgb '{}' notitle",
-          inside, k, width, colour, titled ? "title " + gnuplot_string(traces[k].name) : "notitle", outside,
-          k, width * 0.7, colour);
-    }
-    return text;
+          ", ${0}{2} with lines lw {3} lc rgb '{5}', ${1}{2} with lines lw {4} dt (5,4) lc rgb '{5}'", inside,
+          outside, k, width(k), 0.7 * width(k), colours[k % colours.size()]);
+    return text + "\n";
   };
-  script += lines("F", "o", true) + "\n";
+  script += "plot $reference with lines lw 4 lc rgb 'black'" + lines("F", "o");
   script +=
-      fmt::format("unset title\nunset key\nset tmargin at screen 0.36\nset bmargin at screen 0.085\n"
+      fmt::format("unset title\nset tmargin at screen 0.36\nset bmargin at screen 0.085\n"
                   "set logscale x\nset xrange [{}:{}]\nset xtics auto\nset format x '10^{{%L}}'\nset yrange "
                   "[0:2]\nset ytics 0.5\n"
                   "set xlabel 'overlap  δ/R' tc rgb '{}'\nset ylabel 'F / F_{{reference}}' tc rgb '{}'\n"
                   "plot 1 with lines lw 2.5 lc rgb 'black'",
                   std::max(1e-4, reference.delta.front() / reference.radius_m), x_max * 1.02, ink, ink);
-  script += lines("r", "q", false) + "\nunset multiplot\n";
+  script += lines("r", "q");
+  // The key is a plot of its own: beside the upper one it would have room for seven names.
+  script +=
+      fmt::format("unset logscale\nunset border\nunset tics\nunset xlabel\nunset ylabel\nset xrange [0:1]\n"
+                  "set yrange [0:1]\nset lmargin at screen 0.69\nset rmargin at screen 1\n"
+                  "set tmargin at screen 0.95\nset bmargin at screen 0.02\nset key left top Left reverse "
+                  "noenhanced samplen 2 spacing 1.25 tc rgb '{}'\n"
+                  "plot NaN with lines lw 4 lc rgb 'black' title {}",
+                  ink, gnuplot_string(reference.trace.name));
+  for (std::size_t k = 0; k < traces.size(); ++k)
+    script += fmt::format(", NaN with lines lw {} lc rgb '{}' title {}", width(k),
+                          colours[k % colours.size()], gnuplot_string(traces[k].name));
+  script += ", NaN with lines lw 1.3 dt (5,4) lc rgb '#666666' title 'dashed: outside its validity'\nunset "
+            "multiplot\n";
   run_gnuplot(script, file);
 }
 
