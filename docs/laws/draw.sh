@@ -1,7 +1,7 @@
 #!/bin/sh
 # Draws the curves of these pages with the library itself. Usage: docs/laws/draw.sh PLATEN_PROGRAM
 set -eu
-platen=$1
+platen=$(realpath "$1")
 cd "$(dirname "$0")"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

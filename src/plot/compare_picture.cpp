@@ -57,7 +57,7 @@ void compare_picture(const fit::Reference& reference, const std::vector<fit::Tra
       "set border 3 lc rgb '{0}'\nset tics nomirror out scale 0.5 tc rgb '{0}'\nset grid lc rgb '#e3e7eb' lt "
       "1 lw 1\n"
       "unset key\n"
-      "set multiplot\nset lmargin at screen 0.085\nset rmargin at screen 0.68\n"
+      "set multiplot\nset lmargin at screen 0.095\nset rmargin at screen 0.68\n"
       "set tmargin at screen 0.93\nset bmargin at screen 0.46\nset title {1} noenhanced tc rgb '{0}'\n"
       "set xrange [0:{2}]\nset yrange [0:{3}]\nset xtics {4}\nset xlabel 'overlap  δ/R' offset 0,0.5 tc rgb "
       "'{0}'\n"
