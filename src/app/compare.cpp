@@ -149,6 +149,7 @@ std::vector<fit::Trace> traces_of(const Options& o, const fit::Reference& refere
   for (const auto& [key, text] : asked) unused.push_back(key);
 
   std::vector<fit::Trace> traces;
+  std::string warnings;
   bool reference_met = false;
   for (const std::string& item : o.items) {
     if (is_curve(item)) {
@@ -172,12 +173,13 @@ std::vector<fit::Trace> traces_of(const Options& o, const fit::Reference& refere
                             reference.delta[i] <= (*card.delta_bar)[1] * reference.radius_m * (1 + 1e-12);
     const auto outside = std::ranges::count(trace.in_range, false);
     if (outside > 0)
-      core::say(fmt::format("platen: warning: {}: {} of {} points are outside its validity ({})\n", item,
-                            outside, reference.delta.size(), info.validity));
+      warnings += fmt::format("platen: warning: {}: {} of {} points are outside its validity ({})\n", label,
+                              outside, reference.delta.size(), info.validity);
     traces.push_back(std::move(trace));
   }
   if (!unused.empty())
     throw InvalidInput(fmt::format("-p {}: none of the laws has this parameter", unused.front()));
+  core::say(warnings);
   return traces;
 }
 
