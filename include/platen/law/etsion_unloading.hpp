@@ -8,7 +8,7 @@
 // 2 E* a_max of a flat punch. The paper's other form, three fitted powers of omega_max, could not be
 // confirmed from a second source and is left out. The paper's sphere hardens linearly (2 % of E), Kogut &
 // Etsion's does not.
-//   published  as printed, on the loading curve with its jumps. Between omega = 1 and 1.54 gamma_res is
+//   published  as printed, on the loading curve with its jumps. Between omega = 1 and 1.58 gamma_res is
 //   negative:
 //              energy is created there, and nothing between is in range
 //   joined     on the continuous loading curve, stiffened where it would create energy
