@@ -9,8 +9,7 @@
 // confirmed from a second source and is left out. The paper's sphere hardens linearly (2 % of E), Kogut &
 // Etsion's does not.
 //   published  as printed, on the loading curve with its jumps. Between omega = 1 and 1.58 gamma_res is
-//   negative:
-//              energy is created there, and nothing between is in range
+//              negative: energy is created there, and nothing between is in range
 //   joined     on the continuous loading curve, stiffened where it would create energy
 
 #include "platen/law/kogut_etsion.hpp"

@@ -12,7 +12,8 @@
 //   published  with the jump; where it falls the force is held until it is reached again
 //   joined     the lesser of the two forces, which is continuous
 // The paper unloads nowhere: generic unloading. Valid to a/R = 0.41, a limit that later papers quote and that
-// could not be confirmed; sigma_y/E' up to 0.01 (ours). Past delta/R = 0.75 the curve goes on along its tangent.
+// could not be confirmed; sigma_y/E' up to 0.01 (ours). Past delta/R = 0.75 the curve goes on along its
+// tangent.
 
 #include "platen/law/curve_table.hpp"
 #include "platen/law/kogut_etsion.hpp"

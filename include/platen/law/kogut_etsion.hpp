@@ -1,15 +1,16 @@
 #pragma once
 // Elastic, perfectly plastic sphere on a rigid flat: power laws fitted to finite elements. Kogut & Etsion,
 // J. Appl. Mech. 69 (2002) 657. In units of first yield, omega = gamma/gamma_c:
-//   gamma_c = (pi K H/(2 E*))^2/A,   H = 2.8 sigma_y,   K = 0.454 + 0.41 nu,   F_c = 4/3 E*
-//   gamma_c^(3/2)/sqrt(A) F/F_c = omega^(3/2)         a^2 A/gamma_c = omega                to omega = 1
+//   gamma_c = (pi K H/(2 E*))^2/A,   H = 2.8 sigma_y,   K = 0.454 + 0.41 nu
+//   F_c = 4/3 E* gamma_c^(3/2)/sqrt(A)
+//   F/F_c = omega^(3/2)         a^2 A/gamma_c = omega                to omega = 1
 //           1.03 omega^1.425                    0.93 omega^1.136     to 6
 //           1.40 omega^1.263                    0.94 omega^1.146     to 110
 //           (3/K) omega                         2 omega              beyond: mean pressure H, fully plastic
 // Seen in two independent programs that state all of it; the paper's own text was not at hand. With those
 // limits the force jumps: +3 % at 1, +1.7 % at 6, at 110 from +37 % (nu = 0) to -5.5 % (nu = 0.5).
-//   published  with the jumps; where one falls (nu > 0.41, at 110) the force is held until it is reached
-//   again joined     the least of the four, which is continuous; differs by those jumps, near them
+//   published  with the jumps; where one falls (nu > 0.41, at 110) the force is held until reached again
+//   joined     the least of the four, which is continuous; differs by those jumps, near them
 // The paper unloads nowhere: generic unloading. Valid to omega = 110.
 
 #include "platen/law/contact.hpp"

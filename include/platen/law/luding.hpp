@@ -2,9 +2,10 @@
 // Linear hysteretic springs, the law of many DEM codes. Luding, Granul. Matter 10 (2008) 235, without
 // adhesion (k_c = 0, f_0 = 0): the force is never negative.
 //   F = k_1 gamma                                     loading
-//   F = k_2 (gamma - gamma_0)                         below gamma_max, not below 0;  gamma_0 = (1 - k_1/k_2)
-//   gamma_max k_2 = k_1 + (k_2max - k_1) gamma_max/gamma_p      to gamma_p, constant beyond gamma_p =
-//   k_2max/(k_2max - k_1) phi_f 2 R1 R2/(R1 + R2)
+//   F = k_2 (gamma - gamma_0), not below 0            below gamma_max
+//   gamma_0 = (1 - k_1/k_2) gamma_max
+//   k_2 = k_1 + (k_2max - k_1) gamma_max/gamma_p      to gamma_p, constant beyond
+//   gamma_p = k_2max/(k_2max - k_1) phi_f 2 R1 R2/(R1 + R2)
 // The springs are no material's: they are calibrated, and hold for the radius that they were calibrated at.
 // The equations were seen in two independent places. Beyond gamma_p one may also read that the force follows
 // the k_2max line; the printed condition gives k_1, as here, and the law calls itself out of range. The

@@ -6,23 +6,24 @@
 //   delta_Y: Hertz's mean pressure reaches p_Y
 // Unloading is that of an elliptic indenter of height A and half-width a pressed into springs, and of the
 // sphere's centre that gives way:
-//   A = 4 p_Y a_max/E',   F/F_max = 2/pi (acos(1 - xi) - (1 - xi) sqrt(2 xi - xi^2)),   a = a_max sqrt(2 xi -
-//   xi^2) xi = 1 - (delta_max - delta)/(A/2 + delta_R) delta_R = F_max (2 a^2 (nu - 1) - (2 nu - 1) z
-//   (sqrt(a^2 + z^2) - z)) / (2 pi a^2 G sqrt(a^2 + z^2)), z = R - delta_max + A/2,   all at delta_max
+//   A = 4 p_Y a_max/E'
+//   F/F_max = 2/pi (acos(1 - xi) - (1 - xi) sqrt(2 xi - xi^2)),   a = a_max sqrt(2 xi - xi^2)
+//   xi = 1 - (delta_max - delta)/(A/2 + delta_R)
+//   delta_R = F_max (2 a^2 (nu - 1) - (2 nu - 1) z (s - z))/(2 pi a^2 G s)
+//   s = sqrt(a^2 + z^2),   z = R - delta_max + A/2,   all at delta_max
 // Read off LAMMPS's documentation and the equations in its source, whose authors are the paper's; the paper
 // itself was not at hand. Left out, because it needs what a contact alone does not know: the response of the
 // bulk and the growing radius of a confined particle, the penalty against contacts through a neighbour; and
 // adhesion. Below yield LAMMPS's ellipse falls short of Hertz by 0.075 x: here it is Hertz, without that
 // step. Two unequal spheres go by the equivalent equal pair, where LAMMPS averages the forces of both sides.
-// At yield the published curves have three oddities. The slope of the loading force rises by a third, from
-// Hertz's to twice F/delta, so that the force passes above Hertz's (by 6 % at 2 delta_Y); the unloading curve
-// changes from Hertz's to the indenter's, and a tenth of the work is lost at once; and up to about 3 delta_Y
-// the indenter's curve may lie above the loading curve (by 4 % at most, E/sigma_y = 200), so that energy is
-// created.
-//   published   all three kept; where 1/(A/2 + delta_R) < pi/(2 delta_max) nothing is in range
-//   stiffened   that rate raised to pi/(2 delta_max), which keeps the indenter's curve below any loading
-//   curve
-//               with d ln F/d ln delta <= 2
+// At yield the published curves have oddities. The slope of the loading force rises by a third, from Hertz's
+// to twice F/delta, so that the force passes above Hertz's (by 6 % at 2 delta_Y). The unloading curve changes
+// from Hertz's to the indenter's, and a tenth of the work is lost at once; from there to 1.08 delta_Y the
+// work lost falls as the overlap grows, which creates energy, and to about 3 delta_Y the unloading curve may
+// lie above the loading curve, by up to 5 %.
+//   published   all of it kept; where 1/(A/2 + delta_R) < pi/(2 delta_max) nothing is in range
+//   stiffened   that rate raised to pi/(2 delta_max), which keeps the indenter's curve below every loading
+//               curve with d ln F/d ln delta <= 2
 // Valid to x = 0.75, where LAMMPS stops; then along the tangent.
 
 #include "platen/law/contact.hpp"
