@@ -7,8 +7,10 @@
 //           1.03 omega^1.425                    0.93 omega^1.136     to 6
 //           1.40 omega^1.263                    0.94 omega^1.146     to 110
 //           (3/K) omega                         2 omega              beyond: mean pressure H, fully plastic
-// Seen in two independent programs that state all of it; the paper's own text was not at hand. With those
-// limits the force jumps: +3 % at 1, +1.7 % at 6, at 110 from +37 % (nu = 0) to -5.5 % (nu = 0.5).
+// K, H and the forces were seen in two independent programs; the coefficients of the area in neither, but
+// they are within 2 % in radius of our press to omega = 110 (E/sigma_y = 100). The paper's own text was not
+// at hand. With those limits the force jumps: +3 % at 1, +1.7 % at 6, at 110 from +37 % (nu = 0) to -5.5 %
+// (nu = 0.5).
 //   published  with the jumps; where one falls (nu > 0.41, at 110) the force is held until reached again
 //   joined     the least of the four, which is continuous; differs by those jumps, near them
 // The paper unloads nowhere: generic unloading. Valid to omega = 110.
