@@ -1,7 +1,7 @@
 #!/bin/sh
 # Draws the curves of these pages with the library itself. Usage: docs/laws/draw.sh PLATEN_PROGRAM
 set -eu
-platen=$1
+platen=$(realpath "$1")
 cd "$(dirname "$0")"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -23,3 +23,11 @@ draw edmans-sinka 1e-3 -p radius_m=1e-3 -p sigma_ref_Pa=8.61e6 -p E_Pa=4.417e8 -
 draw wang 1.2e-5 -p radius_m=0.1 -p E_Pa=1e10 -p nu=0.15 -p phi_deg=25 -p sigma_c_Pa=15e6
 draw agarwal 1e-3 -p radius_m=1e-3 -p E_Pa=5e8 -p nu=0.3 -p sigma_y_Pa=1e6
 draw shahin 1e-3 -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 -p kappa_Pa=1e6 -p inverse_m=0.3
+metal="-p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3"
+draw thornton-ning 2e-5 $metal -p p_y_Pa=2e7
+draw kogut-etsion 2e-5 $metal -p sigma_y_Pa=1e7
+draw etsion-unloading 2e-5 $metal -p sigma_y_Pa=1e7
+draw jackson-green 4e-5 $metal -p sigma_y_Pa=1e7
+draw mdr 2e-4 $metal -p sigma_y_Pa=1e7
+draw luding 1e-4 -p radius_m=1e-3 -p k_1_N_per_m=1e5 -p k_2_N_per_m=5e5 -p phi_f=0.1
+draw eepa 1e-4 $metal -p lambda_p=0.6

@@ -15,6 +15,7 @@ void add_fit(CLI::App&);
 void add_derive(CLI::App&);
 void add_laws(CLI::App&);
 void add_eval(CLI::App&);
+void add_compare(CLI::App&);
 void add_export(CLI::App&);
 
 } // namespace platen::app

@@ -53,6 +53,7 @@ int run(int argc, char** argv) {
   app::add_derive(program);
   app::add_laws(program);
   app::add_eval(program);
+  app::add_compare(program);
   app::add_export(program);
   try {
     refuse_unknown_command(program, argc, argv);

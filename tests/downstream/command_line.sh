@@ -210,6 +210,25 @@ answers 2 'is no law of its own overlap' "$platen" eval agarwal -p radius_m=1e-3
 answers 2 '-p is for' "$platen" laws hertz -p E_Pa=1
 answers 0 'the contact radius is ours, provisional' "$platen" laws wang
 
+# --- compare ---
+{ echo 'delta_m,force_N'; awk 'BEGIN { for (i = 1; i <= 40; ++i) printf "%g,%g\n", i * 1e-6, 0.17 * i }'; } >measured.csv
+elastic=(-p E_Pa=1e9 -p nu=0.3 --radius_m 1e-3)
+metal=("${elastic[@]}" -p sigma_y_Pa=1e7)
+answers 0 '| 1 | mdr |' "$platen" compare measured.csv hertz mdr "${metal[@]}"
+answers 0 'outside its validity' "$platen" compare measured.csv hertz "${elastic[@]}"
+answers 0 '"law": "mdr/published"' "$platen" compare measured.csv mdr/published "${metal[@]}" --json
+answers 0 'at 2: 20 of 30 points' "$platen" compare measured.csv thornton-ning,p_y_Pa=2e7,label='at 2' "${elastic[@]}" \
+  --ranges 0.01,0.02 -o compare.svg --table table.md
+has compare.svg
+answers 0 '0.01 < δ/R ≤ 0.02' cat table.md
+answers 2 'needs a curve' "$platen" compare hertz mdr
+answers 2 'needs a law' "$platen" compare measured.csv --radius_m 1e-3
+answers 2 'none of the laws has this parameter' "$platen" compare measured.csv hertz "${elastic[@]}" -p k=1
+answers 2 "there is no law or law card 'hertzz'" "$platen" compare measured.csv hertzz "${elastic[@]}"
+answers 2 'is not a number above' "$platen" compare measured.csv hertz "${elastic[@]}" --ranges 0.1,0.01
+answers 2 'ends in .svg or .png' "$platen" compare measured.csv hertz "${elastic[@]}" -o compare.pdf
+answers 2 'there is no such file' "$platen" compare missing.csv hertz "${metal[@]}"
+
 # --- a press that cannot go on: strength falls while stiffness rises with density ---
 material 'zeta' 'zeta = -40' 'eta' 'eta = 60' 'xi' 'xi = 80' 'omega' 'omega = 60' 'Lambda_bar' 'Lambda_bar = 0.1'
 answers 3 'stopped at delta_bar' "$platen" derive material.toml -o unable --elements 200

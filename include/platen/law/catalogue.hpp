@@ -4,9 +4,16 @@
 
 #include "platen/law/agarwal.hpp"
 #include "platen/law/edmans_sinka.hpp"
+#include "platen/law/eepa.hpp"
+#include "platen/law/etsion_unloading.hpp"
 #include "platen/law/hertz.hpp"
+#include "platen/law/jackson_green.hpp"
+#include "platen/law/kogut_etsion.hpp"
+#include "platen/law/luding.hpp"
+#include "platen/law/mdr.hpp"
 #include "platen/law/shahin.hpp"
 #include "platen/law/similarity.hpp"
+#include "platen/law/thornton_ning.hpp"
 #include "platen/law/wang.hpp"
 
 #include <limits>
@@ -20,8 +27,9 @@
 
 namespace platen::law {
 
-using AnyLaw =
-    std::variant<Hertz<double>, Similarity<double>, EdmansSinka<double>, Wang<double>, Agarwal, Shahin>;
+using AnyLaw = std::variant<Hertz<double>, Similarity<double>, EdmansSinka<double>, Wang<double>, Agarwal,
+                            Shahin, ThorntonNing<double>, KogutEtsion<double>, EtsionUnloading<double>,
+                            JacksonGreen, Mdr, Luding<double>, Eepa<double>>;
 
 inline constexpr double required = std::numeric_limits<double>::quiet_NaN();
 
@@ -68,6 +76,8 @@ inline const std::vector<LawInfo>& laws() {
     const Parameter inverse_m{"inverse_m", "hardening exponent 1/m, the same on both sides", fraction};
     const WordParameter against{"against", "a second sphere, or a rigid plane", "sphere|plane"};
     const WordParameter loading{"loading", "how the particle is pressed", "simple|die|hydrostatic"};
+    const Parameter sigma_y{"sigma_y_Pa", "uniaxial yield stress", positive};
+    const Parameter sigma_y2{"sigma_y2_Pa", "uniaxial yield stress of the second body", positive, 0};
     const WordParameter at{"unload_delta_bar", "delta/R at which alpha and beta are given, at most 8", ""};
     return std::vector<LawInfo>{
         {"hertz",
@@ -130,14 +140,7 @@ inline const std::vector<LawInfo>& laws() {
          "lambda = E/((1 - nu^2) sigma_y) 117-5933 (formally >= 22.1); delta/R <= 0.5, in a cell a little "
          "past full",
          "hertz-radius|published",
-         {R,
-          R2,
-          E,
-          nu,
-          E2,
-          nu2,
-          {"sigma_y_Pa", "uniaxial yield stress", positive},
-          {"sigma_y2_Pa", "uniaxial yield stress of the second body", positive, 0}},
+         {R, R2, E, nu, E2, nu2, sigma_y, sigma_y2},
          {against,
           loading,
           {"kind", "secondary: the sides of a particle in a die; refused, see docs/laws/agarwal.md",
@@ -149,6 +152,73 @@ inline const std::vector<LawInfo>& laws() {
          "published|hardening-minimum",
          {R, R2, E, nu, E2, nu2, kappa, kappa2, inverse_m},
          {against, loading}},
+        {"thornton-ning",
+         "elastic spheres with a largest contact pressure; a straight line from yield on",
+         "Thornton & Ning (1998), without adhesion",
+         "delta/R <= 0.01 (ours; the paper states none)",
+         "published",
+         {R,
+          R2,
+          E,
+          nu,
+          E2,
+          nu2,
+          {"p_y_Pa", "largest contact pressure, 1.6 to 2.8 yield stresses", positive},
+          {"p_y2_Pa", "largest contact pressure of the second body", positive, 0}},
+         {against}},
+        {"kogut-etsion",
+         "elastic, perfectly plastic spheres, power laws in units of first yield",
+         "Kogut & Etsion (2002); generic unloading",
+         "to 110 overlaps of first yield",
+         "joined|published",
+         {R, R2, E, nu, E2, nu2, sigma_y, sigma_y2},
+         {against}},
+        {"etsion-unloading",
+         "kogut-etsion with the flattened sphere's unloading",
+         "Etsion, Kligerman & Kadin (2005), closed form",
+         "to 110 overlaps of first yield; published: not where it creates energy",
+         "joined|published",
+         {R, R2, E, nu, E2, nu2, sigma_y, sigma_y2},
+         {against}},
+        {"jackson-green",
+         "elastic, perfectly plastic spheres, hardness falling with the contact radius",
+         "Jackson & Green (2005); generic unloading",
+         "a/R <= 0.41, sigma_y (1 - nu^2)/E <= 0.01",
+         "joined|published",
+         {R, R2, E, nu, E2, nu2, sigma_y, sigma_y2},
+         {against}},
+        {"mdr",
+         "elastic, perfectly plastic spheres, pressure falling with overlap: the pair kernel",
+         "Zunker & Kamrin (2024), as in LAMMPS; without bulk response, growing radius, adhesion",
+         "delta/R <= 0.75; published: not where it may create energy",
+         "stiffened|published",
+         {R, R2, E, nu, E2, nu2, sigma_y, sigma_y2},
+         {against}},
+        {"luding",
+         "linear springs with hysteresis, calibrated",
+         "Luding (2008), without adhesion",
+         "for the radius it is calibrated at, to the overlap where k_2 is reached",
+         "published",
+         {R,
+          R2,
+          {"k_1_N_per_m", "loading stiffness", positive},
+          {"k_2_N_per_m", "largest unloading stiffness, at least k_1", positive},
+          {"phi_f", "plasticity depth over the reduced diameter", {0, 1, true, false}}},
+         {against}},
+        {"eepa",
+         "springs of overlap^n with hysteresis, calibrated",
+         "Thakur et al. (2014), without adhesion; k_1 as in LAMMPS",
+         "as calibrated",
+         "published",
+         {R,
+          R2,
+          E,
+          nu,
+          E2,
+          nu2,
+          {"lambda_p", "contact plasticity 1 - k_1/k_2", {0, 1, false, true}},
+          {"n", "exponent", {1, 2}, 1.5}},
+         {against}},
     };
   }();
   return all;
@@ -289,13 +359,18 @@ inline AnyLaw make_law(std::string_view name, std::string_view variant, const Pa
                        "'; known are: " + detail::listed(variants));
 
   const detail::Reader read(info, texts);
-  const double R = read("radius_m"), R2 = read.second("radius2_m", R), E = read("E_Pa"), nu = read("nu");
-  const double E2 = read.second("E2_Pa", E), nu2 = read.second("nu2", nu);
+  const double R = read("radius_m"), R2 = read.second("radius2_m", R);
   const bool on_plane = read.word("against") == "plane";
   if (on_plane)
-    for (const char* key : {"radius2_m", "E2_Pa", "nu2", "kappa2_Pa", "sigma_y2_Pa"})
+    for (const char* key : {"radius2_m", "E2_Pa", "nu2", "kappa2_Pa", "sigma_y2_Pa", "p_y2_Pa"})
       if (read.given(key))
         throw BadParameter(std::string(name) + ": " + key + " has no meaning against a rigid plane");
+  if (name == "luding") { // no material
+    const LudingMaterial springs{read("k_1_N_per_m"), read("k_2_N_per_m"), read("phi_f")};
+    if (on_plane) return prepare_on_rigid_plane(springs, R);
+    return prepare(springs, R, R2);
+  }
+  const double E = read("E_Pa"), nu = read("nu"), E2 = read.second("E2_Pa", E), nu2 = read.second("nu2", nu);
   const auto prepared = [&](const auto& one, const auto& two) -> AnyLaw {
     if (on_plane) return prepare_on_rigid_plane(one, R);
     return prepare(one, R, two, R2);
@@ -346,6 +421,27 @@ inline AnyLaw make_law(std::string_view name, std::string_view variant, const Pa
     one.variant = chosen == "published" ? AgarwalVariant::published : AgarwalVariant::hertz_radius;
     AgarwalMaterial two = one;
     two.E = E2, two.nu = nu2, two.sigma_y = read.second("sigma_y2_Pa", one.sigma_y);
+    return prepared(one, two);
+  }
+  const auto joint = chosen == "published" ? JointVariant::published : JointVariant::joined;
+  const auto plastic = [&]<class Material>(Material one) -> AnyLaw { // E, nu and sigma_y, or p_y
+    Material two = one;
+    two.E = E2, two.nu = nu2;
+    if constexpr (requires { one.p_y; }) two.p_y = read.second("p_y2_Pa", one.p_y);
+    else two.sigma_y = read.second("sigma_y2_Pa", one.sigma_y);
+    return prepared(one, two);
+  };
+  if (name == "thornton-ning") return plastic(ThorntonNingMaterial{E, nu, read("p_y_Pa")});
+  if (name == "kogut-etsion") return plastic(KogutEtsionMaterial{E, nu, read("sigma_y_Pa"), joint});
+  if (name == "etsion-unloading") return plastic(EtsionUnloadingMaterial{{E, nu, read("sigma_y_Pa"), joint}});
+  if (name == "jackson-green") return plastic(JacksonGreenMaterial{E, nu, read("sigma_y_Pa"), joint});
+  if (name == "mdr")
+    return plastic(MdrMaterial{E, nu, read("sigma_y_Pa"),
+                               chosen == "published" ? MdrVariant::published : MdrVariant::stiffened});
+  if (name == "eepa") {
+    const EepaMaterial one{E, nu, read("lambda_p"), read("n")};
+    EepaMaterial two = one;
+    two.E = E2, two.nu = nu2;
     return prepared(one, two);
   }
   ShahinMaterial one{E, nu, read("kappa_Pa"), read("inverse_m"), detail::loading_of(read)};

@@ -78,6 +78,15 @@ concept ContactLaw = requires(const Law law, typename Law::Scalar gamma, Loading
   { law.gamma_limit } -> std::convertible_to<typename Law::Scalar>;
 };
 
+/// A law whose unloading is no power law gives force, slope and radius below gamma_max itself. `unloading`
+/// then says where that curve ends, and the exponent with which a power law would return the same work.
+template <class Law>
+concept OwnUnloading = ContactLaw<Law> &&
+    requires(const Law law, typename Law::Scalar gamma, Loading<typename Law::Scalar> peak,
+             Unloading<typename Law::Scalar> end) {
+  { law.on_unloading(gamma, gamma, peak, end) } -> std::same_as<Loading<typename Law::Scalar>>;
+};
+
 template <class Real> PLATEN_FUNCTION Real larger(const Real& a, const Real& b) { return a < b ? b : a; }
 
 template <class Real> PLATEN_FUNCTION Real smaller(const Real& a, const Real& b) { return b < a ? b : a; }
@@ -193,10 +202,17 @@ PLATEN_HOT BasicResponse<Real> evaluate(const Law& law, const BasicState<Real>& 
   const Real xi = Real(1) - end.rate * (top - gamma);
   if (!(Real(0) < xi && Real(0) < gamma)) return now; // separated
 
-  const Real shrink = power(xi, end.alpha - Real(1));
-  now.force = peak.F * xi * shrink;
-  now.stiffness = beyond ? Real(0) : gamma < top ? peak.F * end.alpha * shrink * end.rate : peak.slope;
-  now.contact_radius = peak.a * shrink; // so that dF/dgamma stays proportional to a, as for any elastic punch
+  if constexpr (OwnUnloading<Law>) {
+    const Loading<Real> at = gamma < top ? law.on_unloading(gamma, top, peak, end) : peak;
+    now.force = at.F;
+    now.stiffness = beyond ? Real(0) : at.slope;
+    now.contact_radius = at.a;
+  } else {
+    const Real shrink = power(xi, end.alpha - Real(1));
+    now.force = peak.F * xi * shrink;
+    now.stiffness = beyond ? Real(0) : gamma < top ? peak.F * end.alpha * shrink * end.rate : peak.slope;
+    now.contact_radius = peak.a * shrink; // dF/dgamma stays proportional to a, as for any elastic punch
+  }
   now.mean_pressure = detail::mean_pressure(now.force, now.contact_radius);
   now.branch = old.gamma_max < gamma ? Branch::loading
                : gamma < old.gamma   ? Branch::unloading

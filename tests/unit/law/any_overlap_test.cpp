@@ -36,10 +36,27 @@ const Named every_law[] = {
     {"shahin", "", "kappa_Pa=1e6 inverse_m=0.3"},
     {"shahin", "", "kappa_Pa=1e6 inverse_m=0.3 loading=die"},
     {"shahin", "", "kappa_Pa=1e6 inverse_m=1 loading=hydrostatic"},
+    {"thornton-ning", "", "p_y_Pa=1.6e6"},
+    {"kogut-etsion", "joined", "sigma_y_Pa=1e6"},
+    {"kogut-etsion", "published", "sigma_y_Pa=1e6"},
+    {"kogut-etsion", "published", "sigma_y_Pa=1e6 nu=0.49"},
+    {"etsion-unloading", "joined", "sigma_y_Pa=1e6"},
+    {"etsion-unloading", "published", "sigma_y_Pa=1e6"},
+    {"jackson-green", "joined", "sigma_y_Pa=1e6"},
+    {"jackson-green", "published", "sigma_y_Pa=1e6"},
+    {"jackson-green", "published", "sigma_y_Pa=1e6 nu=0.49"},
+    {"mdr", "stiffened", "sigma_y_Pa=1e6"},
+    {"mdr", "published", "sigma_y_Pa=1e6"},
+    {"luding", "", "radius_m=1e-3 k_1_N_per_m=1e5 k_2_N_per_m=5e5 phi_f=0.1"},
+    {"eepa", "", "lambda_p=0.6"},
+    {"eepa", "", "lambda_p=0.9 n=1"},
 };
 
 AnyLaw make(const Named& n) {
-  return make_law(n.name, n.variant, parameter_texts(std::string(body) + n.parameters));
+  const std::string_view own = n.parameters;
+  if (own.starts_with("radius_m")) return make_law(n.name, n.variant, parameter_texts(own));
+  const std::string_view shared = own.find("nu=") == own.npos ? body : "radius_m=1e-3 E_Pa=5e8 ";
+  return make_law(n.name, n.variant, parameter_texts(std::string(shared) + n.parameters));
 }
 
 /// Negative, zero, denormal, and 2000 overlaps from the smallest number to 1e300.

@@ -1,0 +1,18 @@
+#pragma once
+// Laws and curves over one reference curve.
+
+#include "fit/compare.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace platen::plot {
+
+/// Above, force over overlap: the reference thick, others thin, dashed where a law is outside its validity.
+/// Below, the ratio of each force to that of the reference, both axes logarithmic in overlap. SVG or PNG by
+/// file ending. Throws InvalidInput, IoError.
+void compare_picture(const fit::Reference&, const std::vector<fit::Trace>&, const std::string& title,
+                     const std::filesystem::path&);
+
+} // namespace platen::plot
