@@ -68,6 +68,15 @@ template <class Real = double> struct Unloading {
   }
 };
 
+/// What is kept of the loading curve and of the unloading that leaves it at the largest overlap.
+template <class Real = double> struct Peak {
+  Real F{};            ///< [N]
+  Real slope{};        ///< of the loading curve [N/m]
+  Real a{};            ///< contact radius [m]
+  Unloading<Real> end; ///< of the contact
+  Real work{};         ///< of loading [J]
+};
+
 template <class Law>
 concept ContactLaw = requires(const Law law, typename Law::Scalar gamma, Loading<typename Law::Scalar> peak) {
   { law.loading(gamma) } -> std::same_as<Loading<typename Law::Scalar>>;
@@ -82,9 +91,8 @@ concept ContactLaw = requires(const Law law, typename Law::Scalar gamma, Loading
 /// then says where that curve ends, and the exponent with which a power law would return the same work.
 template <class Law>
 concept OwnUnloading = ContactLaw<Law> &&
-    requires(const Law law, typename Law::Scalar gamma, Loading<typename Law::Scalar> peak,
-             Unloading<typename Law::Scalar> end) {
-  { law.on_unloading(gamma, gamma, peak, end) } -> std::same_as<Loading<typename Law::Scalar>>;
+    requires(const Law law, typename Law::Scalar gamma, Peak<typename Law::Scalar> peak) {
+  { law.on_unloading(gamma, gamma, peak) } -> std::same_as<Loading<typename Law::Scalar>>;
 };
 
 template <class Real> PLATEN_FUNCTION Real larger(const Real& a, const Real& b) { return a < b ? b : a; }
@@ -133,15 +141,6 @@ template <class Real> PLATEN_FUNCTION Real mean_pressure(const Real& F, const Re
 }
 
 } // namespace detail
-
-/// What is kept of the loading curve and of the unloading that leaves it at the largest overlap.
-template <class Real = double> struct Peak {
-  Real F{};            ///< [N]
-  Real slope{};        ///< of the loading curve [N/m]
-  Real a{};            ///< contact radius [m]
-  Unloading<Real> end; ///< of the contact
-  Real work{};         ///< of loading [J]
-};
 
 namespace detail {
 
@@ -203,7 +202,8 @@ PLATEN_HOT BasicResponse<Real> evaluate(const Law& law, const BasicState<Real>& 
   if (!(Real(0) < xi && Real(0) < gamma)) return now; // separated
 
   if constexpr (OwnUnloading<Law>) {
-    const Loading<Real> at = gamma < top ? law.on_unloading(gamma, top, peak, end) : peak;
+    const Loading<Real> at =
+        gamma < top ? law.on_unloading(gamma, top, peak) : Loading<Real>{peak.F, peak.slope, peak.a};
     now.force = at.F;
     now.stiffness = beyond ? Real(0) : at.slope;
     now.contact_radius = at.a;

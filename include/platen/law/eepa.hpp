@@ -49,8 +49,7 @@ template <class Real = double> struct Eepa {
   }
 
   [[nodiscard]] PLATEN_HOT Loading<Real> on_unloading(const Real& gamma, const Real& gamma_max,
-                                                      const Loading<Real>& peak,
-                                                      const Unloading<Real>&) const {
+                                                      const Peak<Real>& peak) const {
     using std::pow, std::sqrt;
     const Real part = pow(gamma / gamma_max, n), lambda_p = Real(1) - k_1 / k_2;
     const Real F = peak.F * (part - lambda_p) / (Real(1) - lambda_p);

@@ -125,12 +125,11 @@ struct Mdr {
   }
 
   [[nodiscard]] PLATEN_HOT Loading<double> on_unloading(double gamma, double gamma_max,
-                                                        const Loading<double>& peak,
-                                                        const Unloading<double>& end) const {
-    const double xi = 1 - end.rate * (gamma_max - gamma), root = std::sqrt(xi * (2 - xi));
+                                                        const Peak<double>& peak) const {
+    const double xi = 1 - peak.end.rate * (gamma_max - gamma), root = std::sqrt(xi * (2 - xi));
     // acos(1 - xi) - (1 - xi) sqrt(2 xi - xi^2), whose terms cancel for small xi
     const double area = xi < 1e-4 ? 4.0 / 3 * std::sqrt(2 * xi) * xi : std::acos(1 - xi) - (1 - xi) * root;
-    return {peak.F * 2 / std::numbers::pi * area, peak.F * 4 / std::numbers::pi * root * end.rate,
+    return {peak.F * 2 / std::numbers::pi * area, peak.F * 4 / std::numbers::pi * root * peak.end.rate,
             peak.a * root};
   }
 };
