@@ -25,11 +25,15 @@ press::LocalResult press_with_progress(const press::Case& c) {
       progress.show(fraction, fmt::format("F = {:.3g} N", point.force_N));
       return !core::interrupted();
     });
-  return {press::simple(c, [&](double fraction, const press::CurvePoint& point) {
-            progress.show(fraction, fmt::format("delta_bar = {:.3f}", point.delta_bar));
-            return !core::interrupted();
-          }),
-          {}, {}, {}, {}};
+  return {press::simple(c,
+                        [&](double fraction, const press::CurvePoint& point) {
+                          progress.show(fraction, fmt::format("delta_bar = {:.3f}", point.delta_bar));
+                          return !core::interrupted();
+                        }),
+          {},
+          {},
+          {},
+          {}};
 }
 
 void write_fields(const press::Case& c, const press::Result& result, const OutputFolder& folder) {
@@ -57,8 +61,9 @@ void write_results(const press::Case& c, const press::LocalResult& result, const
     if (fields == Fields::pictures_and_vtu) write_fields(c, result, folder);
   }
   // Last: where there is a summary, the rest is there as well.
-  core::write_file(folder / "summary.json", local ? press::summary_json(c, result)
-                                                   : press::summary_json(c, static_cast<const press::Result&>(result)));
+  core::write_file(folder / "summary.json",
+                   local ? press::summary_json(c, result)
+                         : press::summary_json(c, static_cast<const press::Result&>(result)));
 }
 
 } // namespace

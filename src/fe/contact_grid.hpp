@@ -12,9 +12,9 @@ struct ContactGrid {
   int columns = 20;            ///< edges under the first contact radius, >= 8
 };
 
-/// Rings around the pole. Inside first_radius the elements are alike, first_radius/columns in size; from there
-/// to last_radius a ring is 1/columns of its distance from the pole, beyond it up to 1/6, and the last rows
-/// flatten into the equator.
+/// Rings around the pole. Inside first_radius the elements are alike, first_radius/columns in size; from
+/// there to last_radius a ring is 1/columns of its distance from the pole, beyond it up to 1/6, and the last
+/// rows flatten into the equator.
 AxisymmetricMesh contact_disc(const ContactGrid&);
 
 } // namespace platen::fe

@@ -63,8 +63,8 @@ EdgeElement element_at(const AxisymmetricMesh& mesh, int a, int b) {
 PlaneContact::PlaneContact(AxisymmetricSolid& solid_, NewtonSettings settings_,
                            const ContactStiffness& stiffness_)
     : u(solid_.unknowns(), 0.0), solid(solid_), settings(settings_),
-      solver(solid_.unknowns(), element_unknowns(solid_), Symmetry::unsymmetric),
-      fixed(solid_.unknowns(), 0), stiffness(stiffness_) {
+      solver(solid_.unknowns(), element_unknowns(solid_), Symmetry::unsymmetric), fixed(solid_.unknowns(), 0),
+      stiffness(stiffness_) {
   for (const int node : solid.mesh.axis) fixed[2 * node] = 1;
   for (const int node : solid.mesh.equator) fixed[2 * node + 1] = 1;
   for (int e = 0; e < static_cast<int>(solid.mesh.quads.size()); ++e) {
@@ -88,7 +88,8 @@ PlaneContact::PlaneContact(AxisymmetricSolid& solid_, NewtonSettings settings_,
       const double t = (1 + gauss_x[i]) / 2, angle = from + t * h, distance = std::max(angle, stiffness.pole);
       points[i] = {{1 - t, t},
                    std::sin(angle) - (1 - t) * r_a - t * r_b,
-                   stiffness.uniform ? (1 - t) * depth(from) + t * depth(from + h) - h * h / 12 : depth(angle),
+                   stiffness.uniform ? (1 - t) * depth(from) + t * depth(from + h) - h * h / 12
+                                     : depth(angle),
                    2 * std::numbers::pi * std::sin(angle) * h * gauss_w[i] / 2,
                    stiffness.relative_penetration * distance * distance,
                    stiffness.elastic * E / distance};
@@ -268,23 +269,24 @@ Contact PlaneContact::contact() const {
   return c;
 }
 
-/// The radius from the line of p^2 over r^2 through the outer edges: of the outermost two the pressure depends
-/// on how the contact edge cuts them.
+/// Towards the contact edge p falls as sqrt(a^2 - r^2), so the force outside r as (a^2 - r^2)^{3/2}: a
+/// follows from the forces outside two radii. Single edges near the contact edge will not do: their pressure
+/// depends on how it cuts them.
 void PlaneContact::locate_edge(Contact& c) const {
-  constexpr int cut = 2, fitted = 6;
+  constexpr int outer = 4, inner = 9; // edges
   const auto rings = pressure_profile();
   const int touching = static_cast<int>(rings.size()) - 1;
-  if (touching < cut + fitted) return;
-  double x_mean = 0, y_mean = 0, xx = 0, xy = 0;
-  const auto x = [&](int i) { return (std::pow(rings[i].inner, 2) + std::pow(rings[i].outer, 2)) / 2; };
-  const auto y = [&](int i) { return std::pow(rings[i].pressure, 2); };
-  for (int i = touching - cut - fitted; i < touching - cut; ++i) x_mean += x(i) / fitted, y_mean += y(i) / fitted;
-  for (int i = touching - cut - fitted; i < touching - cut; ++i) {
-    xx += (x(i) - x_mean) * (x(i) - x_mean);
-    xy += (x(i) - x_mean) * (y(i) - y_mean);
+  if (touching < inner) return;
+  double force = 0, outer_force = 0;
+  for (int i = touching - 1; i >= touching - inner; --i) {
+    force += rings[i].pressure * (std::pow(rings[i].outer, 2) - std::pow(rings[i].inner, 2));
+    if (i == touching - outer) outer_force = force;
   }
+  const double ratio = std::pow(force / outer_force, 2.0 / 3);
+  const double square =
+      (ratio * std::pow(rings[touching - outer].inner, 2) - std::pow(rings[touching - inner].inner, 2)) /
+      (ratio - 1);
   const double least = rings[touching - 2].inner, most = rings[touching].outer;
-  const double square = xy < 0 ? x_mean - y_mean * xx / xy : most * most;
   c.radius = std::sqrt(std::clamp(square, least * least, most * most));
 }
 

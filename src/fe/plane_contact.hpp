@@ -5,9 +5,9 @@
 // two nodes lies at its place on the undeformed sphere plus the interpolated displacement, and a part of an
 // edge can touch. (With exact contact of nodes the radius grows by whole edges, and with it, in scallops, the
 // force of a plastic sphere.) The pressure is a stiffness times the penetration, the same for every mesh: at
-// the highest mean pressure met so far, a point at distance s from the pole penetrates by 0.001 s^2/R0 (unless
-// asked otherwise), about 0.2 % of the delta at which the contact gets there; by less where the material is so
-// stiff that it springs back by little more than that.
+// the highest mean pressure met so far, a point at distance s from the pole penetrates by 0.001 s^2/R0
+// (unless asked otherwise), about 0.2 % of the delta at which the contact gets there; by less where the
+// material is so stiff that it springs back by little more than that.
 
 #include "fe/axisymmetric.hpp"
 #include "fe/sparse.hpp"
@@ -34,8 +34,8 @@ struct ContactStiffness {
   /// interest.
   double pole = 0.03;
   /// For contacts of few edges: everywhere elastic E/a, where a is the largest contact radius met (>= pole).
-  /// Between its nodes the surface is then a chord at the sphere's mean distance, since the arc would rise over
-  /// its chord by more than the penetration, and the pressure come in waves.
+  /// Between its nodes the surface is then a chord at the sphere's mean distance, since the arc would rise
+  /// over its chord by more than the penetration, and the pressure come in waves.
   bool uniform = false;
 };
 

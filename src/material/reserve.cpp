@@ -30,8 +30,9 @@ double stress_reserve(const Model& model, const std::array<double, 3>& sigma, do
           const auto surface = m.surface(phi);
           return largest_factor([&](double f) { return surface.contains(f * p, f * q); });
         } else if constexpr (requires { m.excess(sigma); })
-          return largest_factor(
-              [&](double f) { return m.excess({f * sigma[0], f * sigma[1], f * sigma[2]}) <= 0; });
+          return largest_factor([&](double f) {
+            return m.excess({f * sigma[0], f * sigma[1], f * sigma[2]}) <= 0;
+          });
         else return std::numeric_limits<double>::infinity();
       },
       model);

@@ -109,7 +109,8 @@ class LocalPress {
     }
   }
 
-  /// From a step that went beyond the force to one that meets it: secant in F^(2/3), in which Hertz is a line.
+  /// From a step that went beyond the force to one that meets it: secant in F^(2/3), in which Hertz is a
+  /// line.
   bool meet(double force, const SphereRun::State& before) {
     const auto height = [&](double F) { return std::pow(F, 2.0 / 3); };
     double low = before.delta_bar, F_low = before.row.force_N;
@@ -175,7 +176,7 @@ class LocalPress {
 
   bool try_step(double delta_bar) {
     const fe::StepReport report = run.advance(delta_bar);
-    why = report.why; if (getenv("DBG")) { fprintf(stderr, "%g %d:", delta_bar, report.converged); for (double r : report.residuals) fprintf(stderr, " %.1e", r); fprintf(stderr, "\n"); }
+    why = report.why;
     return report.converged;
   }
 
@@ -195,8 +196,8 @@ class LocalPress {
   }
 
   void fail(double delta_bar) {
-    result.failure = fmt::format("stopped at delta_bar = {:.5g}, F = {:.5g} N: {}", delta_bar,
-                                 run.row().force_N, why);
+    result.failure =
+        fmt::format("stopped at delta_bar = {:.5g}, F = {:.5g} N: {}", delta_bar, run.row().force_N, why);
   }
 
   const Case& press_case;
@@ -223,9 +224,8 @@ std::string profile_name(const PressureProfile& p) {
 }
 
 std::string profile_csv(const PressureProfile& p) {
-  std::string text =
-      fmt::format("# force_N = {}\n# contact_radius_m = {}\nradius_m,pressure_Pa\n",
-                  core::number_text(p.force_N), core::number_text(p.contact_radius_m));
+  std::string text = fmt::format("# force_N = {}\n# contact_radius_m = {}\nradius_m,pressure_Pa\n",
+                                 core::number_text(p.force_N), core::number_text(p.contact_radius_m));
   for (const auto& [r, pressure] : p.points)
     text += fmt::format("{},{}\n", core::number_text(r), core::number_text(pressure));
   return text;

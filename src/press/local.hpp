@@ -1,6 +1,6 @@
 #pragma once
-// The local press: two equal spheres, or a sphere on a rigid plane, at loads where the contact radius is a few
-// per cent of the sphere's (Wang et al. section 3). The path goes by force.
+// The local press: two equal spheres, or a sphere on a rigid plane, at loads where the contact radius is a
+// few per cent of the sphere's (Wang et al. section 3). The path goes by force.
 //
 // One mesh serves all loads (fe/contact_grid.hpp). The sphere is whole: what its finite size adds to the
 // approach is in delta_m, and taken out in hertz_delta_m, which laws that have Hertz's elastic limit are
@@ -31,11 +31,12 @@ struct BreakThrough {
 };
 
 struct LocalResult : Result {
-  std::optional<Onset> axis;  ///< first yield within 0.1 a of the axis
-  std::optional<Onset> first; ///< first yield anywhere
+  std::optional<Onset> axis; ///< first yield within 0.1 a of the axis
+  std::optional<Onset> edge; ///< near the contact edge, as far as the mesh resolves it: no nearer than its
+                             ///< outermost Gauss points, while Hertz's field is steepest at the surface
   std::vector<PressureProfile> profiles;
-  /// Where the plastic zone under the contact first reaches the free surface, for thresholds 0.1, 1 and 10
-  /// parts in 10,000 of plastic strain; absent where it did not.
+  /// Where the plastic zone under the contact first reaches the free surface, for several thresholds of
+  /// the plastic strain; absent where it did not.
   std::vector<BreakThrough> break_through;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
-// A sphere under a plane, as the simple and the local press have it: its state, one step further, its row of the curve.
+// A sphere under a plane, as the simple and the local press have it: its state, one step further, its row of
+// the curve.
 
 #include "fe/plane_contact.hpp"
 #include "press/midpoint_flow.hpp"

@@ -110,7 +110,7 @@ std::string summary_json(const Case& c, const Result& result) { return text_of(s
 std::string summary_json(const Case& c, const LocalResult& result) {
   Json summary = summary_of(c, result);
   summary["yield_on_axis"] = json_of(result.axis);
-  summary["first_yield"] = json_of(result.first);
+  summary["yield_at_edge"] = json_of(result.edge);
   Json broken = Json::array();
   for (const auto& b : result.break_through)
     broken.push_back({{"plastic_strain", b.plastic_strain}, {"force_N", b.force_N}});

@@ -12,9 +12,11 @@ namespace platen::press {
 namespace {
 
 constexpr double on_axis = 0.1; // r/a
+/// The contact edge: r/a beyond the first, depth/a below the second.
+constexpr double edge_radius = 0.8, edge_depth = 0.1;
 /// The zone under the contact is what flows at least this deep, in contact radii.
 constexpr double core_depth = 0.25;
-constexpr std::array<double, 3> thresholds = {1e-5, 1e-4, 1e-3};
+constexpr std::array<double, 5> thresholds = {1e-5, 1e-4, 2e-4, 5e-4, 1e-3}; // of plastic strain
 constexpr double degree = std::numbers::pi / 180;
 
 struct Strength {
@@ -83,23 +85,24 @@ void YieldWatch::look(const SphereRun& run) {
 
 void YieldWatch::look_for_onset(const SphereRun& run) {
   const double a = run.row().contact_radius_m / press_case.radius_m;
-  if ((axis.met && first.met) || a < press_case.first_contact_bar) return;
-  int nearest_axis = -1, nearest = -1;
-  double axis_reserve = std::numeric_limits<double>::infinity(), reserve = axis_reserve;
+  if ((axis.met && edge.met) || a < press_case.first_contact_bar) return;
+  struct Nearest {
+    int point = -1;
+    double reserve = std::numeric_limits<double>::infinity();
+  } at_axis, at_edge;
   for (int i = 0; i < static_cast<int>(places.size()); ++i) {
     const auto [r, depth] = places[i];
-    if (r > 2 * a || depth > 2 * a) continue;
-    const bool central = r < on_axis * a;
-    if (axis.met && central) continue;
-    if (first.met && !central) continue;
+    const bool is_axis = r < on_axis * a && depth < 2 * a;
+    const bool is_edge = r > edge_radius * a && r < 2 * a && depth < edge_depth * a;
+    if (!(is_axis && !axis.met) && !(is_edge && !edge.met)) continue;
     const material::PointUpdate& point = run.sphere().updates[i];
-    double here = material::stress_reserve(run.sphere().model, point.sigma, point.phi);
-    if (point.zone != Zone::elastic) here = 1;
-    if (central && here < axis_reserve) axis_reserve = here, nearest_axis = i;
-    if (here < reserve) reserve = here, nearest = i;
+    const bool elastic = point.zone == Zone::elastic;
+    const double reserve = elastic ? material::stress_reserve(run.sphere().model, point.sigma, point.phi) : 1;
+    Nearest& nearest = is_axis ? at_axis : at_edge;
+    if (reserve < nearest.reserve) nearest = {i, reserve};
   }
-  if (!axis.met) extend(axis, run, nearest_axis, axis_reserve);
-  if (!first.met) extend(first, run, nearest, reserve);
+  if (!axis.met) extend(axis, run, at_axis.point, at_axis.reserve);
+  if (!edge.met) extend(edge, run, at_edge.point, at_edge.reserve);
 }
 
 void YieldWatch::extend(Candidate& candidate, const SphereRun& run, int point, double reserve) const {
@@ -109,7 +112,8 @@ void YieldWatch::extend(Candidate& candidate, const SphereRun& run, int point, d
     return;
   }
   const double a = run.row().contact_radius_m / press_case.radius_m;
-  candidate.last = Onset{run.row().force_N * std::pow(reserve, 3), places[point][0] / a, places[point][1] / a};
+  candidate.last =
+      Onset{run.row().force_N * std::pow(reserve, 3), places[point][0] / a, places[point][1] / a};
 }
 
 void YieldWatch::look_for_break_through(const SphereRun& run) {
@@ -144,12 +148,16 @@ bool YieldWatch::breaks_through(const SphereRun& run, const std::vector<double>&
     for (const int n : neighbours[e]) reach(n);
   }
   return std::any_of(at_sphere.begin(), at_sphere.end(),
-                     [&](const auto& edge) { return reached[edge.first] && edge.second > a; });
+                     [&](const auto& at) { return reached[at.first] && at.second > a; });
 }
 
 void YieldWatch::report(LocalResult& result) const {
   if (axis.met) result.axis = axis.last;
-  if (first.met) result.first = first.last;
+  if (edge.met) result.edge = edge.last;
+  if (axis.met && !axis.last)
+    result.flags.push_back(
+        "first yield comes before the smallest contact that the mesh resolves, so no onset is "
+        "told: lower first_contact_bar");
   result.break_through = broken;
   std::sort(result.break_through.begin(), result.break_through.end(),
             [](const auto& x, const auto& y) { return x.plastic_strain < y.plastic_strain; });

@@ -1,6 +1,6 @@
 #pragma once
-// What the local press looks for while it loads: first yield on the axis and anywhere, and the load at which
-// the plastic zone breaks through to the free surface.
+// What the local press looks for while it loads: first yield on the axis and at the contact edge, and the
+// load at which the plastic zone breaks through to the free surface.
 
 #include "press/local.hpp"
 #include "press/sphere_run.hpp"
@@ -32,10 +32,10 @@ class YieldWatch {
   void extend(Candidate&, const SphereRun&, int point, double reserve) const;
 
   const Case& press_case;
-  std::vector<std::array<double, 2>> places;    ///< of the Gauss points, R0: r, depth below the pole
-  std::vector<std::vector<int>> neighbours;     ///< elements that share an edge
+  std::vector<std::array<double, 2>> places;     ///< of the Gauss points, R0: r, depth below the pole
+  std::vector<std::vector<int>> neighbours;      ///< elements that share an edge
   std::vector<std::pair<int, double>> at_sphere; ///< elements at the sphere, their polar angle
-  Candidate axis, first;
+  Candidate axis, edge;
   std::vector<BreakThrough> broken;
 };
 
