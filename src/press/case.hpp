@@ -23,7 +23,7 @@ struct Case {
   double force_max_N = 100;          ///< largest force
   std::vector<double> unload_from_N; ///< forces at which a branch unloads, ascending
   std::vector<double> fields_at_N;   ///< forces at which fields and pressure profiles are kept, ascending
-  double first_contact_bar = 0.002;  ///< contact radius/R0 from which on `edges` edges lie under the contact
+  double first_contact_bar = 0.0015; ///< contact radius/R0 from which on `edges` edges lie under the contact
   int edges = 20;                    ///< of elements under the contact, at least
 };
 

@@ -38,5 +38,5 @@ TEST(LocalPress, MeetsTheForcesThatItIsAskedFor) {
   const auto& profile = result.profiles[1];
   const double a = profile.contact_radius_m, p0 = 1.5 * 3 / (std::acos(-1) * a * a);
   for (const auto& [r, p] : profile.points)
-    if (r < 0.9 * a) EXPECT_NEAR(p, p0 * std::sqrt(1 - r * r / (a * a)), 0.01 * p) << r / a;
+    if (r < 0.9 * a) { EXPECT_NEAR(p, p0 * std::sqrt(1 - r * r / (a * a)), 0.01 * p) << r / a; }
 }

@@ -1,7 +1,8 @@
 // The local press over its range: Hertz, and first yield of Drucker-Prager materials where Wang et al.
 // (8)-(11) put it.
 
-#include "hertz.hpp"
+#include "../press/hertz.hpp"
+#include "fit/wang.hpp"
 #include "platen/law/drucker_prager_yield.hpp"
 #include "press/local.hpp"
 
@@ -15,6 +16,22 @@ TEST(LocalPressSlow, OfAnElasticSphereIsHertzUpToFivePerCentOfTheRadius) {
   const auto result = press::local(test::elastic_case(18000)); // a/R = 0.05
   ASSERT_FALSE(result.failure) << *result.failure;
   EXPECT_GT(test::expect_hertz(result.curve), 60);
+}
+
+TEST(LocalPressSlow, OfAnElasticSphereFitsToTheElasticLimitOfWang) {
+  press::Case c = test::elastic_case(1200);
+  c.unload_from_N = {1200};
+  auto result = press::local(c);
+  ASSERT_FALSE(result.failure) << *result.failure;
+  result.curve.phi_deg = 25; // any strength: it only sets the unit
+  result.curve.sigma_c_Pa = 15e6;
+  const auto fit = fit::fit_wang(result.curve);
+  EXPECT_NEAR(fit.a, 1, 0.005);
+  EXPECT_NEAR(fit.b, 1.5, 0.005);
+  ASSERT_EQ(fit.unloading.size(), 1u);
+  EXPECT_NEAR(fit.unloading[0].m, 1, 0.005);
+  EXPECT_NEAR(fit.unloading[0].n, 1.5, 0.005);
+  EXPECT_NEAR(fit.unloading[0].delta_res_m, 0, 1e-3 * fit.delta_y_m);
 }
 
 TEST(LocalPressSlow, YieldsOnTheAxisWhereHertzsFieldReachesTheSurface) {
