@@ -41,10 +41,10 @@ struct Curve {
   std::string material;
   std::string version; ///< of the program that pressed; filled by the press
   int engine = 0;
+  std::vector<CurvePoint> points;
   // Of the local press, 0 where unknown: the Drucker-Prager strength that makes the curve dimensionless.
   double phi_deg = 0;
   double sigma_c_Pa = 0;
-  std::vector<CurvePoint> points;
 };
 
 /// Where the loading branch ends; the first point where there is none, null where there is no point at all.
