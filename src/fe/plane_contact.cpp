@@ -60,11 +60,10 @@ EdgeElement element_at(const AxisymmetricMesh& mesh, int a, int b) {
 
 } // namespace
 
-PlaneContact::PlaneContact(AxisymmetricSolid& solid_, NewtonSettings settings_,
-                           const ContactStiffness& stiffness_)
+PlaneContact::PlaneContact(AxisymmetricSolid& solid_, NewtonSettings settings_, const ContactStiffness& rule)
     : u(solid_.unknowns(), 0.0), solid(solid_), settings(settings_),
       solver(solid_.unknowns(), element_unknowns(solid_), Symmetry::unsymmetric), fixed(solid_.unknowns(), 0),
-      stiffness(stiffness_) {
+      stiffness_rule(rule) {
   for (const int node : solid.mesh.axis) fixed[2 * node] = 1;
   for (const int node : solid.mesh.equator) fixed[2 * node + 1] = 1;
   for (int e = 0; e < static_cast<int>(solid.mesh.quads.size()); ++e) {
@@ -74,7 +73,7 @@ PlaneContact::PlaneContact(AxisymmetricSolid& solid_, NewtonSettings settings_,
   }
   // To begin with: Hertz's mean pressure at a contact radius of `pole`.
   const double E = material::initial_E(solid.model), nu = material::initial_nu(solid.model);
-  pressure_scale = 4 / (3 * std::numbers::pi) * E / (1 - nu * nu) * stiffness.pole;
+  pressure_scale = 4 / (3 * std::numbers::pi) * E / (1 - nu * nu) * stiffness_rule.pole;
   pressure_scale = std::min(pressure_scale, material::reference_stress(solid.model));
 
   const auto depth = [](double angle) { return 2 * std::pow(std::sin(angle / 2), 2); };
@@ -85,14 +84,15 @@ PlaneContact::PlaneContact(AxisymmetricSolid& solid_, NewtonSettings settings_,
     const double from = std::atan2(r_a, z_a), h = std::atan2(r_b, z_b) - from;
     auto& points = edges.emplace_back();
     for (int i = 0; i < points_per_edge; ++i) {
-      const double t = (1 + gauss_x[i]) / 2, angle = from + t * h, distance = std::max(angle, stiffness.pole);
+      const double t = (1 + gauss_x[i]) / 2, angle = from + t * h,
+                   distance = std::max(angle, stiffness_rule.pole);
       points[i] = {{1 - t, t},
                    std::sin(angle) - (1 - t) * r_a - t * r_b,
-                   stiffness.uniform ? (1 - t) * depth(from) + t * depth(from + h) - h * h / 12
-                                     : depth(angle),
+                   stiffness_rule.uniform ? (1 - t) * depth(from) + t * depth(from + h) - h * h / 12
+                                          : depth(angle),
                    2 * std::numbers::pi * std::sin(angle) * h * gauss_w[i] / 2,
-                   stiffness.relative_penetration * distance * distance,
-                   stiffness.elastic * E / distance};
+                   stiffness_rule.relative_penetration * distance * distance,
+                   stiffness_rule.elastic * E / distance};
     }
     edge_elements.push_back(element_at(solid.mesh, surface[s], surface[s + 1]));
   }
@@ -100,9 +100,9 @@ PlaneContact::PlaneContact(AxisymmetricSolid& solid_, NewtonSettings settings_,
 
 /// Force over penetration.
 double PlaneContact::stiffness_of(const EdgePoint& point) const {
-  if (stiffness.uniform)
-    return stiffness.elastic * material::initial_E(solid.model) / std::max(largest_radius, stiffness.pole) *
-           point.area;
+  if (stiffness_rule.uniform)
+    return stiffness_rule.elastic * material::initial_E(solid.model) /
+           std::max(largest_radius, stiffness_rule.pole) * point.area;
   return std::max(pressure_scale / point.flexibility, point.least_stiffness) * point.area;
 }
 
@@ -136,13 +136,13 @@ Evaluation PlaneContact::evaluate(const std::vector<double>& x, Residual& residu
       const double gap = height_above_plane(point, static_cast<int>(e), x);
       if (!(gap < 0)) continue;
       residual.touching[e * points_per_edge + i] = 1;
-      const double k_point = stiffness_of(point);
+      const double stiffness = stiffness_of(point);
       const auto& [element, corner] = edge_elements[e];
       for (int k = 0; k < 2; ++k) {
-        solid.force[2 * surface[e + k] + 1] -= k_point * gap * point.N[k];
+        solid.force[2 * surface[e + k] + 1] -= stiffness * gap * point.N[k];
         for (int l = 0; l < 2; ++l)
           solid.tangent[64 * element + 8 * (2 * corner[l] + 1) + 2 * corner[k] + 1] +=
-              k_point * point.N[k] * point.N[l];
+              stiffness * point.N[k] * point.N[l];
       }
     }
   double free = 0, reaction = 0;
@@ -244,9 +244,9 @@ Contact PlaneContact::contact() const {
     const EdgePoint* outer = nullptr;
     for (const EdgePoint& point : edges[e])
       if (const double gap = height_above_plane(point, e, u); gap < 0) {
-        const double k_point = stiffness_of(point);
-        force -= k_point * gap;
-        c.energy += k_point * gap * gap / 2;
+        const double stiffness = stiffness_of(point);
+        force -= stiffness * gap;
+        c.energy += stiffness * gap * gap / 2;
         outer = &point;
       }
     if (!outer) continue;
@@ -265,7 +265,7 @@ Contact PlaneContact::contact() const {
     inner_middle = middle;
     c.peak_pressure = std::max(c.peak_pressure, pressure);
   }
-  if (stiffness.uniform) locate_edge(c);
+  if (stiffness_rule.uniform) locate_edge(c);
   return c;
 }
 

@@ -117,7 +117,7 @@ class PlaneContact {
   std::vector<EdgeElement> edge_elements;
   double height = 1;
   double pressure_scale; ///< highest mean pressure met so far (Pa)
-  ContactStiffness stiffness;
+  ContactStiffness stiffness_rule;
   double largest_radius = 0; ///< of the contacts met so far (R0)
 };
 
