@@ -1,5 +1,6 @@
 #include "app/commands.hpp"
 #include "app/fit_report.hpp"
+#include "app/wang_report.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/nearest.hpp"
@@ -11,6 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -21,11 +23,11 @@ namespace {
 
 struct Options {
   std::string curve, law, variant = "published", card, picture;
-  std::optional<double> radius_m, sigma_ref_Pa, E_Pa, nu;
+  std::optional<double> radius_m, sigma_ref_Pa, E_Pa, nu, phi_deg, sigma_c_Pa;
   bool json = false;
 };
 
-const std::vector<std::string> laws = {"edmans-sinka"};
+const std::vector<std::string> laws = {"edmans-sinka", "wang"};
 
 double checked(double value, std::string_view option, bool allowed, std::string_view range) {
   if (!allowed)
@@ -38,6 +40,11 @@ double checked(double value, std::string_view option, bool allowed, std::string_
 void complete(press::Curve& curve, const Options& o) {
   if (o.E_Pa) curve.E_Pa = checked(*o.E_Pa, "--E_Pa", *o.E_Pa > 0 && std::isfinite(*o.E_Pa), "> 0");
   if (o.nu) curve.nu = checked(*o.nu, "--nu", *o.nu >= 0 && *o.nu < 0.5, "in [0, 0.5)");
+  if (o.phi_deg)
+    curve.phi_deg = checked(*o.phi_deg, "--phi_deg", *o.phi_deg >= 0 && *o.phi_deg < 60, "in [0, 60)");
+  if (o.sigma_c_Pa)
+    curve.sigma_c_Pa =
+        checked(*o.sigma_c_Pa, "--sigma_c_Pa", *o.sigma_c_Pa > 0 && std::isfinite(*o.sigma_c_Pa), "> 0");
   if (o.sigma_ref_Pa)
     press::set_reference_stress(curve, checked(*o.sigma_ref_Pa, "--sigma_ref_Pa",
                                                *o.sigma_ref_Pa > 0 && std::isfinite(*o.sigma_ref_Pa), "> 0"));
@@ -54,12 +61,21 @@ void complete(press::Curve& curve, const Options& o) {
       o.curve, core::number_text(curve.sigma_ref_Pa)));
 }
 
+void fit_wang_to(const press::Curve& curve, const Options& o) {
+  const auto fit = fit::fit_wang(curve);
+  for (const auto& sentence : fit.skipped) core::say(fmt::format("note: {}\n", sentence));
+  if (!o.card.empty()) core::write_file(o.card, text_of(fit::law_card(curve, fit, core::read_file(o.curve))));
+  if (!o.picture.empty()) draw_wang_fit(curve, fit, o.picture);
+  fmt::print("{}", o.json ? wang_json(curve, fit) : wang_words(fit));
+}
+
 void fit_curve(const Options& o) {
-  if (o.law != "edmans-sinka")
+  if (std::find(laws.begin(), laws.end(), o.law) == laws.end())
     throw core::InvalidInput(
         fmt::format("--law {}: there is no such law to fit{}", o.law, core::suggestion(o.law, laws)));
   auto curve = press::read_curve(o.curve, o.radius_m);
   complete(curve, o);
+  if (o.law == "wang") return fit_wang_to(curve, o);
   if (!o.card.empty() && !(curve.E_Pa > 0))
     throw core::InvalidInput(
         fmt::format("{} says no elasticity, which a law card needs for unloading; give --E_Pa and "
@@ -79,7 +95,7 @@ void add_fit(CLI::App& program) {
   auto* command = program.add_subcommand("fit", "fit a contact law to a curve, pressed or measured");
   auto o = std::make_shared<Options>();
   command->add_option("CURVE.csv", o->curve, "curve.csv of a press, or columns delta_m,force_N")->required();
-  command->add_option("--law", o->law, "law to fit: edmans-sinka")->required()->type_name("NAME");
+  command->add_option("--law", o->law, "law to fit: edmans-sinka, wang")->required()->type_name("NAME");
   command->add_option("--variant", o->variant, variant_help)->type_name("V")->capture_default_str();
   command->add_option("-o", o->card, "write the law card here")->type_name("LAW.toml");
   command->add_option("--picture", o->picture, "draw curve, law and residual: .svg or .png")
@@ -90,6 +106,10 @@ void add_fit(CLI::App& program) {
       ->type_name("NUMBER");
   command->add_option("--E_Pa", o->E_Pa, "Young's modulus, for a measured curve")->type_name("NUMBER");
   command->add_option("--nu", o->nu, "Poisson's ratio, for a measured curve")->type_name("NUMBER");
+  command->add_option("--phi_deg", o->phi_deg, "wang: friction angle, for a curve that does not say it")
+      ->type_name("NUMBER");
+  command->add_option("--sigma_c_Pa", o->sigma_c_Pa, "wang: uniaxial compressive strength, likewise")
+      ->type_name("NUMBER");
   command->add_flag("--json", o->json, "for a machine to read");
   command->footer("Example: platen fit out/curve.csv --law edmans-sinka -o law.toml\n"
                   "         platen fit measured.csv --radius_m 0.5e-3 --law edmans-sinka");

@@ -66,16 +66,32 @@ void print_initial_yield(const Options& options, bool as_json) {
   LawArguments arguments;
   arguments.law = "wang";
   arguments.parameters = options.parameters;
-  const auto law = std::get<law::Wang<double>>(fit::make_law(card_of(arguments), parameters_of(arguments)));
+  const auto texts = parameters_of(arguments);
+  const auto law = std::get<law::Wang<double>>(fit::make_law(card_of(arguments), texts));
+  // Of the two bodies the one that yields first; they share strength and friction.
+  const auto number = [&](const std::string& key) { return core::number_from(texts.at(key)).value(); };
+  const auto yield_of = [&](const std::string& nu) {
+    return law::drucker_prager_yield(number(nu), number("phi_deg"), number("sigma_c_Pa"));
+  };
+  auto yield = yield_of("nu");
+  if (texts.contains("nu2"))
+    if (const auto other = yield_of("nu2"); other.p0 < yield.p0) yield = other;
   if (as_json) {
-    fmt::print("{}\n",
-               Json{{"F_y_N", law.F_y}, {"gamma_y_m", law.gamma_y}, {"F_y_edge_N", law.F_y_edge}}.dump(2));
+    fmt::print("{}\n", Json{{"F_y_N", law.F_y},
+                            {"gamma_y_m", law.gamma_y},
+                            {"depth_over_a", yield.u},
+                            {"p0_Pa", yield.p0},
+                            {"F_y_edge_N", law.F_y_edge}}
+                           .dump(2));
     return;
   }
   fmt::print("initial yield\n  F_y      {} N   on the axis; the law's unit of force\n"
              "  gamma_y  {} m   whole approach of the centres\n"
+             "  u        {}   depth of first yield over the contact radius\n"
+             "  p0       {} Pa   peak pressure there\n"
              "  edge     {} N   the edge of the contact yields{}\n",
-             core::number_text(law.F_y), core::number_text(law.gamma_y), core::number_text(law.F_y_edge),
+             core::number_text(law.F_y), core::number_text(law.gamma_y), core::number_text(yield.u),
+             core::number_text(yield.p0), core::number_text(law.F_y_edge),
              law.F_y_edge < law.F_y ? ", before the axis does" : "");
 }
 

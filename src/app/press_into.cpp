@@ -18,12 +18,22 @@
 namespace platen::app {
 namespace {
 
-press::Result press_with_progress(const press::Case& c) {
+press::LocalResult press_with_progress(const press::Case& c) {
   core::Progress progress(fmt::format("pressing {}", c.material.name));
-  return press::simple(c, [&](double fraction, const press::CurvePoint& point) {
-    progress.show(fraction, fmt::format("delta_bar = {:.3f}", point.delta_bar));
-    return !core::interrupted();
-  });
+  if (c.experiment == "local")
+    return press::local(c, [&](double fraction, const press::CurvePoint& point) {
+      progress.show(fraction, fmt::format("F = {:.3g} N", point.force_N));
+      return !core::interrupted();
+    });
+  return {press::simple(c,
+                        [&](double fraction, const press::CurvePoint& point) {
+                          progress.show(fraction, fmt::format("delta_bar = {:.3f}", point.delta_bar));
+                          return !core::interrupted();
+                        }),
+          {},
+          {},
+          {},
+          {}};
 }
 
 void write_fields(const press::Case& c, const press::Result& result, const OutputFolder& folder) {
@@ -33,26 +43,33 @@ void write_fields(const press::Case& c, const press::Result& result, const Outpu
 }
 
 /// What cost most comes first: where the disk fills, the files before are whole.
-void write_results(const press::Case& c, const press::Result& result, const OutputFolder& folder,
+void write_results(const press::Case& c, const press::LocalResult& result, const OutputFolder& folder,
                    Fields fields) {
   folder.forget(
       {"case.toml", "curve.csv", "summary.json", "zones.svg", "curve.svg", "law.toml", "fields.pvd"});
   folder.forget_series("fields-", ".vtu");
+  folder.forget_series("profile-", ".csv");
   press::write_curve(result.curve, folder / "curve.csv");
   core::write_file(folder / "case.toml", press::case_text(c));
-  if (!result.snapshots.empty()) {
+  const bool local = c.experiment == "local";
+  for (const auto& profile : result.profiles)
+    core::write_file(folder / press::profile_name(profile), press::profile_csv(profile));
+  if (!result.snapshots.empty() && local) write_fields(c, result, folder);
+  if (!result.snapshots.empty() && !local) {
     plot::zone_map(result.snapshots, fmt::format("{}: where it flows", c.material.name),
                    folder / "zones.svg");
     if (fields == Fields::pictures_and_vtu) write_fields(c, result, folder);
   }
   // Last: where there is a summary, the rest is there as well.
-  core::write_file(folder / "summary.json", press::summary_json(c, result));
+  core::write_file(folder / "summary.json",
+                   local ? press::summary_json(c, result)
+                         : press::summary_json(c, static_cast<const press::Result&>(result)));
 }
 
 } // namespace
 
-press::Result press_into(const press::Case& c, const OutputFolder& folder, Fields fields) {
-  press::Result result = press_with_progress(c);
+press::LocalResult press_into(const press::Case& c, const OutputFolder& folder, Fields fields) {
+  press::LocalResult result = press_with_progress(c);
   write_results(c, result, folder, fields);
   const press::CurvePoint* end = press::loading_end(result.curve);
   const double reached = end ? end->delta_bar : 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -16,16 +17,6 @@ constexpr double diverged = 1e3;
 /// shortened.
 constexpr double slope_left = 0.5;
 constexpr int searches_max = 3;
-/// Penetration at the highest mean pressure, over the square of the distance to the pole.
-constexpr double relative_penetration = 0.001;
-/// Least stiffness of the contact times the distance to the pole, over E. A flat punch of radius a on a
-/// half-space springs back by (pi/2)(1 - nu^2) a p/E: the penetration by less than a hundredth of that, or
-/// stiff material would seem to unload too softly.
-constexpr double elastic_stiffness = 100;
-/// Distance to the pole below which the contact gets no stiffer (R0), well inside the smallest contact of
-/// interest.
-constexpr double pole = 0.03;
-
 // Gauss-Legendre with 8 points on [-1, 1]: Abramowitz & Stegun, table 25.4.
 constexpr std::array<double, 8> gauss_x{-0.960289856497536232, -0.796666477413626740, -0.525532409916328986,
                                         -0.183434642495649805, 0.183434642495649805,  0.525532409916328986,
@@ -69,10 +60,10 @@ EdgeElement element_at(const AxisymmetricMesh& mesh, int a, int b) {
 
 } // namespace
 
-PlaneContact::PlaneContact(AxisymmetricSolid& solid_, NewtonSettings settings_)
+PlaneContact::PlaneContact(AxisymmetricSolid& solid_, NewtonSettings settings_, const ContactStiffness& rule)
     : u(solid_.unknowns(), 0.0), solid(solid_), settings(settings_),
-      solver(solid_.unknowns(), element_unknowns(solid_), Symmetry::unsymmetric),
-      fixed(solid_.unknowns(), 0) {
+      solver(solid_.unknowns(), element_unknowns(solid_), Symmetry::unsymmetric), fixed(solid_.unknowns(), 0),
+      stiffness_rule(rule) {
   for (const int node : solid.mesh.axis) fixed[2 * node] = 1;
   for (const int node : solid.mesh.equator) fixed[2 * node + 1] = 1;
   for (int e = 0; e < static_cast<int>(solid.mesh.quads.size()); ++e) {
@@ -82,9 +73,10 @@ PlaneContact::PlaneContact(AxisymmetricSolid& solid_, NewtonSettings settings_)
   }
   // To begin with: Hertz's mean pressure at a contact radius of `pole`.
   const double E = material::initial_E(solid.model), nu = material::initial_nu(solid.model);
-  pressure_scale = 4 / (3 * std::numbers::pi) * E / (1 - nu * nu) * pole;
+  pressure_scale = 4 / (3 * std::numbers::pi) * E / (1 - nu * nu) * stiffness_rule.pole;
   pressure_scale = std::min(pressure_scale, material::reference_stress(solid.model));
 
+  const auto depth = [](double angle) { return 2 * std::pow(std::sin(angle / 2), 2); };
   const auto& surface = solid.mesh.surface;
   for (std::size_t s = 0; s + 1 < surface.size(); ++s) {
     const auto [r_a, z_a] = solid.mesh.nodes[surface[s]];
@@ -92,13 +84,15 @@ PlaneContact::PlaneContact(AxisymmetricSolid& solid_, NewtonSettings settings_)
     const double from = std::atan2(r_a, z_a), h = std::atan2(r_b, z_b) - from;
     auto& points = edges.emplace_back();
     for (int i = 0; i < points_per_edge; ++i) {
-      const double t = (1 + gauss_x[i]) / 2, angle = from + t * h, distance = std::max(angle, pole);
+      const double t = (1 + gauss_x[i]) / 2, angle = from + t * h,
+                   distance = std::max(angle, stiffness_rule.pole);
       points[i] = {{1 - t, t},
                    std::sin(angle) - (1 - t) * r_a - t * r_b,
-                   std::cos(angle) - (1 - t) * z_a - t * z_b,
+                   stiffness_rule.uniform ? (1 - t) * depth(from) + t * depth(from + h) - h * h / 12
+                                          : depth(angle),
                    2 * std::numbers::pi * std::sin(angle) * h * gauss_w[i] / 2,
-                   relative_penetration * distance * distance,
-                   elastic_stiffness * E / distance};
+                   stiffness_rule.relative_penetration * distance * distance,
+                   stiffness_rule.elastic * E / distance};
     }
     edge_elements.push_back(element_at(solid.mesh, surface[s], surface[s + 1]));
   }
@@ -106,18 +100,18 @@ PlaneContact::PlaneContact(AxisymmetricSolid& solid_, NewtonSettings settings_)
 
 /// Force over penetration.
 double PlaneContact::stiffness_of(const EdgePoint& point) const {
+  if (stiffness_rule.uniform)
+    return stiffness_rule.elastic * material::initial_E(solid.model) /
+           std::max(largest_radius, stiffness_rule.pole) * point.area;
   return std::max(pressure_scale / point.flexibility, point.least_stiffness) * point.area;
 }
 
 /// Negative where the point penetrates.
 double PlaneContact::height_above_plane(const EdgePoint& point, int edge,
                                         const std::vector<double>& x) const {
-  double z = point.z;
-  for (int k = 0; k < 2; ++k) {
-    const int node = solid.mesh.surface[edge + k];
-    z += point.N[k] * (solid.mesh.nodes[node][1] + x[2 * node + 1]);
-  }
-  return height - z;
+  double gap = point.depth - (1 - height);
+  for (int k = 0; k < 2; ++k) gap -= point.N[k] * x[2 * solid.mesh.surface[edge + k] + 1];
+  return gap;
 }
 
 /// Distance to the axis at the last equilibrium.
@@ -150,7 +144,10 @@ Evaluation PlaneContact::evaluate(const std::vector<double>& x, Residual& residu
     (fixed[i] ? reaction : free) += solid.force[i] * solid.force[i];
     if (fixed[i]) solid.force[i] = 0;
   }
-  residual.relative = std::sqrt(free / std::max(reaction, 1e-300));
+  // Reactions so small that the rounding of the strains would be a larger residual count as larger.
+  const double rounding = 20 * std::numeric_limits<double>::epsilon() * material::initial_E(solid.model);
+  const double least = rounding / settings.relative_residual_tolerance;
+  residual.relative = std::sqrt(free / std::max(reaction, least * least));
   return std::isfinite(residual.relative) ? Evaluation::done : Evaluation::inverted_element;
 }
 
@@ -175,8 +172,10 @@ bool PlaneContact::linearise(const Residual& residual) {
 }
 
 StepReport PlaneContact::solve(double height_, std::vector<double> x) {
-  if (const Contact c = contact(); c.radius > 0)
+  if (const Contact c = contact(); c.radius > 0) {
     pressure_scale = std::max(pressure_scale, c.force / (std::numbers::pi * c.radius * c.radius));
+    largest_radius = std::max(largest_radius, c.radius);
+  }
   const double height_before = height;
   height = height_;
   StepReport report;
@@ -270,7 +269,44 @@ Contact PlaneContact::contact() const {
     inner_middle = middle;
     c.peak_pressure = std::max(c.peak_pressure, pressure);
   }
+  if (stiffness_rule.uniform) locate_edge(c);
   return c;
+}
+
+/// Towards the contact edge p falls as sqrt(a^2 - r^2), so the force outside r as (a^2 - r^2)^{3/2}: a
+/// follows from the forces outside two radii. Single edges near the contact edge will not do: their pressure
+/// depends on how it cuts them.
+void PlaneContact::locate_edge(Contact& c) const {
+  constexpr int outer = 4, inner = 9; // edges
+  const auto rings = pressure_profile();
+  const int touching = static_cast<int>(rings.size()) - 1;
+  if (touching < inner) return;
+  double force = 0, outer_force = 0;
+  for (int i = touching - 1; i >= touching - inner; --i) {
+    force += rings[i].pressure * (std::pow(rings[i].outer, 2) - std::pow(rings[i].inner, 2));
+    if (i == touching - outer) outer_force = force;
+  }
+  const double ratio = std::pow(force / outer_force, 2.0 / 3);
+  const double square =
+      (ratio * std::pow(rings[touching - outer].inner, 2) - std::pow(rings[touching - inner].inner, 2)) /
+      (ratio - 1);
+  const double least = rings[touching - 2].inner, most = rings[touching].outer;
+  c.radius = std::sqrt(std::clamp(square, least * least, most * most));
+}
+
+std::vector<PressureRing> PlaneContact::pressure_profile() const {
+  const auto& surface = solid.mesh.surface;
+  std::vector<PressureRing> rings;
+  for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
+    double force = 0;
+    for (const EdgePoint& point : edges[e])
+      if (const double gap = height_above_plane(point, e, u); gap < 0) force -= stiffness_of(point) * gap;
+    const auto r = [&](int node) { return solid.mesh.nodes[node][0] + u[2 * node]; };
+    const double inner = r(surface[e]), outer = r(surface[e + 1]);
+    rings.push_back({inner, outer, force / (std::numbers::pi * (outer * outer - inner * inner))});
+    if (!(force > 0)) break;
+  }
+  return rings;
 }
 
 } // namespace platen::fe

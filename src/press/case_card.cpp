@@ -25,7 +25,8 @@ struct Head {
 };
 const std::vector<Field<Head>> head_fields = {
     {"platen", &Head::platen, "format of the card", closed(1, 1)},
-    {"experiment", &Head::experiment, "simple: a sphere between two rigid planes"},
+    {"experiment", &Head::experiment,
+     "simple: a sphere between two rigid planes; local: the same at small contacts, by force"},
     {"radius_m", &Head::radius_m, "radius of the undeformed particle", positive},
 };
 
@@ -42,28 +43,66 @@ const std::vector<Field<Case>> mesh_fields = {
                 closed(32, 200000)}
         .optional(),
 };
+// Wang et al. 3.3: loads to 100 N.
+const std::vector<Field<Case>> local_path_fields = {
+    Field<Case>{"force_max_N", &Case::force_max_N, "largest force", positive}.optional(),
+    Field<Case>{"unload_from_N", &Case::unload_from_N, "force from which a branch unloads", positive}
+        .optional()
+        .growing(),
+    Field<Case>{"reload", &Case::reload, "whether each unloaded branch is loaded again"}.optional(),
+};
+const std::vector<Field<Case>> local_mesh_fields = {
+    Field<Case>{"edges", &Case::edges, "of elements under the contact, at least", closed(8, 100)}.optional(),
+    Field<Case>{"first_contact_bar", &Case::first_contact_bar,
+                "contact radius/R0 from which on so many edges lie under it", closed(1e-4, 0.02)}
+        .optional(),
+};
+const std::vector<Field<Case>> local_output_fields = {
+    Field<Case>{"fields_at_N", &Case::fields_at_N, "force at which fields and the pressure profile are kept",
+                positive}
+        .optional()
+        .growing(),
+};
 const std::vector<Field<Case>> output_fields = {
     Field<Case>{"fields_at", &Case::fields_at, "delta/R0 at which fields are kept", left_open(0, 0.5)}
         .optional()
         .growing(),
 };
 
-const std::vector<std::string> experiments = {"simple"};
-const std::vector<std::string> later_experiments = {"local", "die", "hydrostatic", "triaxial"};
+const std::vector<std::string> experiments = {"simple", "local"};
+const std::vector<std::string> later_experiments = {"die", "hydrostatic", "triaxial"};
 
 void check_experiment(const std::string& experiment, const std::string& where) {
-  if (experiment == "simple") return;
+  if (std::find(experiments.begin(), experiments.end(), experiment) != experiments.end()) return;
   const std::string start = fmt::format("{} = \"{}\"", where, experiment);
   if (std::find(later_experiments.begin(), later_experiments.end(), experiment) != later_experiments.end())
-    throw core::InvalidInput(fmt::format("{} is not available yet; available is: simple", start));
+    throw core::InvalidInput(fmt::format("{} is not available yet; available are: simple, local", start));
   throw core::InvalidInput(
       fmt::format("{}: there is no such experiment{}", start, core::suggestion(experiment, experiments)));
 }
 
-void check_within_path(const std::vector<double>& values, double delta_bar_max, const std::string& where) {
-  if (!values.empty() && values.back() > delta_bar_max)
-    throw core::InvalidInput(fmt::format("{} goes to {}, beyond delta_bar_max = {}", where,
-                                         core::number_text(values.back()), core::number_text(delta_bar_max)));
+void check_within_path(const std::vector<double>& values, double end, const std::string& where,
+                       std::string_view end_key = "delta_bar_max") {
+  if (!values.empty() && values.back() > end)
+    throw core::InvalidInput(fmt::format("{} goes to {}, beyond {} = {}", where,
+                                         core::number_text(values.back()), end_key, core::number_text(end)));
+}
+
+/// The sections of a local case.
+Case read_local(const Table& card, Case result) {
+  if (const Table* path = core::section(card, "path")) {
+    result = core::read_fields(*path, local_path_fields, result);
+    check_within_path(result.unload_from_N, result.force_max_N, core::place(*path, "unload_from_N"),
+                      "force_max_N");
+  }
+  if (const Table* mesh = core::section(card, "mesh"))
+    result = core::read_fields(*mesh, local_mesh_fields, result);
+  if (const Table* output = core::section(card, "output")) {
+    result = core::read_fields(*output, local_output_fields, result);
+    check_within_path(result.fields_at_N, result.force_max_N, core::place(*output, "fields_at_N"),
+                      "force_max_N");
+  }
+  return result;
 }
 
 std::filesystem::path find_material(const Table& card, const std::string& what) {
@@ -104,10 +143,15 @@ Case read_case(const Table& card) {
   Case result;
   result.experiment = head.experiment;
   result.radius_m = head.radius_m;
+  if (head.experiment == "local") {
+    result = read_local(card, result);
+    result.material = read_material(card);
+    return result;
+  }
   if (const Table* path = core::section(card, "path")) {
     if (path->find("force_max_N"))
-      throw core::InvalidInput(
-          fmt::format("{} is not available yet; give delta_bar_max", core::place(*path, "force_max_N")));
+      throw core::InvalidInput(fmt::format("{} is for experiment = \"local\"; give delta_bar_max",
+                                           core::place(*path, "force_max_N")));
     result = core::read_fields(*path, path_fields, result);
     check_within_path(result.unload_from, result.delta_bar_max, core::place(*path, "unload_from"));
   }
@@ -124,12 +168,14 @@ void validate(const Case& c) { (void)read_case(core::parse_toml(case_text(c), "c
 
 std::string case_text(const Case& c) {
   std::string material = material::card_text(c.material);
+  const bool local = c.experiment == "local";
   const auto at = material.find("[parameters]");
   material.replace(at, std::string_view("[parameters]").size(), "[material.parameters]");
   return fmt::format("{}\n[path]\n{}\n[mesh]\n{}\n[output]\n{}\n[material]\n{}",
                      core::card_lines(head_fields, Head{1, c.experiment, c.radius_m}),
-                     core::card_lines(path_fields, c), core::card_lines(mesh_fields, c),
-                     core::card_lines(output_fields, c), material);
+                     core::card_lines(local ? local_path_fields : path_fields, c),
+                     core::card_lines(local ? local_mesh_fields : mesh_fields, c),
+                     core::card_lines(local ? local_output_fields : output_fields, c), material);
 }
 
 std::string case_reference() {
@@ -141,9 +187,10 @@ std::string case_reference() {
   };
   return fmt::format(
       "# Case card\n\n{}| `material` | a name in the catalogue, a path, or a table | text or a "
-      "table |\n\n## [path]\n\n{}\n## [mesh]\n\n{}\n## [output]\n\n{}",
+      "table |\n\n## [path]\n\n{}\n## [mesh]\n\n{}\n## [output]\n\n{}"
+      "\n# experiment = \"local\"\n\n## [path]\n\n{}\n## [mesh]\n\n{}\n## [output]\n\n{}",
       core::reference_table(core::infos<Head>(head_fields)), page(path_fields), page(mesh_fields),
-      page(output_fields));
+      page(output_fields), page(local_path_fields), page(local_mesh_fields), page(local_output_fields));
 }
 
 } // namespace platen::press

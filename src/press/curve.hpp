@@ -26,6 +26,8 @@ struct CurvePoint {
   double rho_r_mean = 1, rho_r_min = 1, rho_r_max = 1;
   double sigma_1_max_Pa = 0;
   double equator_displacement_m = 0;
+  double hertz_delta_m = 0; ///< delta with the far field of the finite sphere taken out: Hertz's
+  double mises_max_Pa = 0;  ///< largest von Mises stress at a Gauss point
   int iterations = 0;
 };
 
@@ -40,6 +42,9 @@ struct Curve {
   std::string version; ///< of the program that pressed; filled by the press
   int engine = 0;
   std::vector<CurvePoint> points;
+  // Of the local press, 0 where unknown: the Drucker-Prager strength that makes the curve dimensionless.
+  double phi_deg = 0;
+  double sigma_c_Pa = 0;
 };
 
 /// Where the loading branch ends; the first point where there is none, null where there is no point at all.

@@ -47,6 +47,8 @@ constexpr std::array columns = {
     Column{"sigma_1_max_Pa", &P::sigma_1_max_Pa},
     Column{"equator_displacement_m", &P::equator_displacement_m},
     Column{"iterations", &P::iterations},
+    Column{"hertz_delta_m", &P::hertz_delta_m},
+    Column{"mises_max_Pa", &P::mises_max_Pa},
 };
 
 constexpr std::array<std::string_view, 3> branches = {"loading", "unloading", "reloading"};
@@ -102,6 +104,8 @@ void read_notes(Curve& curve, const core::Csv& csv, std::optional<double> radius
   curve.sigma_ref_Pa = number("sigma_ref_Pa");
   curve.E_Pa = number("E_Pa");
   curve.nu = number("nu");
+  curve.phi_deg = number("phi_deg");
+  curve.sigma_c_Pa = number("sigma_c_Pa");
   if (curve.sigma_ref_Pa < 0)
     throw core::InvalidInput(
         fmt::format("{}: # sigma_ref_Pa = {} must be > 0", csv.file, csv.note("sigma_ref_Pa")));
@@ -123,6 +127,9 @@ std::string curve_csv(const Curve& curve) {
       "# material = {}\n# version = {}\n# engine = {}\n",
       core::number_text(curve.radius_m), core::number_text(curve.sigma_ref_Pa), core::number_text(curve.E_Pa),
       core::number_text(curve.nu), curve.experiment, curve.material, curve.version, curve.engine);
+  if (curve.sigma_c_Pa > 0)
+    text += fmt::format("# phi_deg = {}\n# sigma_c_Pa = {}\n", core::number_text(curve.phi_deg),
+                        core::number_text(curve.sigma_c_Pa));
   for (const auto& column : columns) {
     if (&column != columns.begin()) text += ',';
     text += column.name;

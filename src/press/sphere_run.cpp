@@ -1,5 +1,7 @@
 #include "press/sphere_run.hpp"
 
+#include "fe/contact_grid.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,11 +19,30 @@ material::TrialInvariants plastic_strain(const fe::PointState& point) {
       {-std::log(mean + radius) / 2, -std::log(mean - radius) / 2, -std::log(tt) / 2});
 }
 
+bool is_local(const Case& c) { return c.experiment == "local"; }
+
+fe::AxisymmetricMesh mesh_for(const Case& c) {
+  if (!is_local(c)) return fe::quarter_disc(c.elements);
+  return fe::contact_disc({.first_radius = c.first_contact_bar, .columns = c.edges});
+}
+
+fe::NewtonSettings newton_for(const Case& c) {
+  fe::NewtonSettings settings;
+  if (is_local(c)) settings.relative_residual_tolerance = 1e-6;
+  return settings;
+}
+
+/// Local curves are compared with Hertz to parts of a per cent.
+fe::ContactStiffness stiffness_for(const Case& c) {
+  if (!is_local(c)) return {};
+  return {.elastic = 1000, .pole = c.first_contact_bar, .uniform = true};
+}
+
 } // namespace
 
 SphereRun::SphereRun(const Case& c)
     : radius_m(c.radius_m), sigma_ref(material::reference_stress(c.material.model)),
-      solid(fe::quarter_disc(c.elements), c.material.model), contact(solid, {}) {
+      solid(mesh_for(c), c.material.model), contact(solid, newton_for(c), stiffness_for(c)) {
   now.u.assign(solid.unknowns(), 0.0);
   now.change = now.u;
   now.points.resize(solid.points());
@@ -58,6 +79,15 @@ fe::StepReport SphereRun::advance(double delta_bar) {
   return report;
 }
 
+/// What a sphere of finite size is shorter by than two half-spaces (Tatara 1991), at one of its two contacts:
+/// F f/(pi E), f = 2(1+nu) R^2/(a^2+4R^2)^{3/2} + (1-nu^2)/(a^2+4R^2)^{1/2}.
+double SphereRun::far_field(const CurvePoint& row) const {
+  const double E = material::initial_E(solid.model), nu = material::initial_nu(solid.model);
+  const double l = std::hypot(row.contact_radius_m, 2 * radius_m);
+  const double f = 2 * (1 + nu) * radius_m * radius_m / (l * l * l) + (1 - nu * nu) / l;
+  return row.force_N * f / (std::numbers::pi * E);
+}
+
 /// The row of the curve at the new equilibrium.
 void SphereRun::account(double delta_bar, int iterations, std::vector<PointFlow>& points) {
   const double R = radius_m, R2 = R * R, R3 = R2 * R;
@@ -71,6 +101,7 @@ void SphereRun::account(double delta_bar, int iterations, std::vector<PointFlow>
   row.contact_radius_m = c.radius * R;
   row.mean_pressure_Pa = c.radius > 0 ? c.force / (std::numbers::pi * c.radius * c.radius) : 0;
   row.peak_pressure_Pa = c.peak_pressure;
+  row.hertz_delta_m = row.delta_m + far_field(row);
   row.iterations = iterations;
   row.equator_displacement_m = contact.u[2 * solid.mesh.surface.back()] * R;
   row.work_J = before.work_J + (before.force_N + row.force_N) / 2 * (row.delta_m - before.delta_m);
@@ -78,7 +109,7 @@ void SphereRun::account(double delta_bar, int iterations, std::vector<PointFlow>
   double reference = 0, unloaded = 0, stored = 0, dissipated = 0;
   std::array<double, 4> zones{};
   row.rho_r_min = row.rho_r_max = material::relative_density(solid.model, solid.updates[0].phi);
-  row.sigma_1_max_Pa = 0;
+  row.sigma_1_max_Pa = row.mises_max_Pa = 0;
   for (int i = 0; i < solid.points(); ++i) {
     const material::PointUpdate& point = solid.updates[i];
     const double V = solid.volume[i];
@@ -90,6 +121,8 @@ void SphereRun::account(double delta_bar, int iterations, std::vector<PointFlow>
     row.rho_r_min = std::min(row.rho_r_min, rho);
     row.rho_r_max = std::max(row.rho_r_max, rho);
     row.sigma_1_max_Pa = std::max({row.sigma_1_max_Pa, point.sigma[0], point.sigma[1], point.sigma[2]});
+
+    row.mises_max_Pa = std::max(row.mises_max_Pa, point.q);
 
     const material::TrialInvariants elastic = material::invariants(point.eps);
     stored += V * J_p * material::stored_energy(solid.model, elastic, point.phi);

@@ -1,5 +1,6 @@
 #pragma once
-// A sphere under the plane of the simple press: its state, one step further, its row of the curve.
+// A sphere under a plane, as the simple and the local press have it: its state, one step further, its row of
+// the curve.
 
 #include "fe/plane_contact.hpp"
 #include "press/midpoint_flow.hpp"
@@ -30,11 +31,14 @@ class SphereRun {
   const CurvePoint& row() const { return now.row; }
   double delta_bar() const { return now.delta_bar; }
   Snapshot snapshot(Branch) const;
+  const fe::PlaneContact& plane() const { return contact; }
+  const fe::AxisymmetricSolid& sphere() const { return solid; } ///< holds the evaluation at the last step
   Statistics statistics() const;
   std::vector<std::string> flags() const;
 
  private:
   void account(double delta_bar, int iterations, std::vector<PointFlow>& points);
+  double far_field(const CurvePoint&) const;
   void count(const fe::StepReport&);
 
   const double radius_m, sigma_ref;

@@ -76,7 +76,9 @@ Json fracture_of(const Case& c, const Curve& curve) {
 
 } // namespace
 
-std::string summary_json(const Case& c, const Result& result) {
+namespace {
+
+Json summary_of(const Case& c, const Result& result) {
   Json summary = {{"platen", core::version}, {"engine", core::engine}};
   // Through the text of the card, so that card and summary cannot say different things.
   summary["case"] = json_of(core::parse_toml(case_text(c), "case"));
@@ -89,7 +91,31 @@ std::string summary_json(const Case& c, const Result& result) {
   summary["fracture"] = fracture_of(c, result.curve);
   summary["flags"] = result.flags;
   summary["statistics"] = json_of(result.statistics);
+  return summary;
+}
+
+std::string text_of(const Json& summary) {
   return summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Json json_of(const std::optional<Onset>& onset) {
+  if (!onset) return nullptr;
+  return {{"force_N", onset->force_N}, {"r_over_a", onset->r_over_a}, {"depth_over_a", onset->depth_over_a}};
+}
+
+} // namespace
+
+std::string summary_json(const Case& c, const Result& result) { return text_of(summary_of(c, result)); }
+
+std::string summary_json(const Case& c, const LocalResult& result) {
+  Json summary = summary_of(c, result);
+  summary["yield_on_axis"] = json_of(result.axis);
+  summary["yield_at_edge"] = json_of(result.edge);
+  Json broken = Json::array();
+  for (const auto& b : result.break_through)
+    broken.push_back({{"plastic_strain", b.plastic_strain}, {"force_N", b.force_N}});
+  summary["break_through"] = broken;
+  return text_of(summary);
 }
 
 } // namespace platen::press

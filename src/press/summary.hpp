@@ -2,7 +2,7 @@
 // summary.json: what was pressed, by what, how it went.
 
 #include "press/case.hpp"
-#include "press/simple.hpp"
+#include "press/local.hpp"
 
 #include <string>
 
@@ -11,5 +11,7 @@ namespace platen::press {
 /// The resolved input, version and engine, the last point, the largest tension and where it reaches the
 /// tensile strength of the card, statistics, flags and, when the press stopped early, where and why.
 std::string summary_json(const Case&, const Result&);
+/// The same with first yield and break-through.
+std::string summary_json(const Case&, const LocalResult&);
 
 } // namespace platen::press

@@ -108,6 +108,14 @@ sed -i 's/"simple"/"die"/' case.toml
 answers 2 'not available yet' "$platen" press case.toml -o out
 has_not out
 
+# --- small contacts ---
+printf 'platen = 1\nexperiment = "local"\nmaterial = "wang-type-1"\nradius_m = 0.1\n[path]\nforce_max_N = -1\n' >local.toml
+answers 2 'force_max_N = -1 is not allowed' "$platen" press local.toml -o out
+has_not out
+answers 0 'depth of first yield' "$platen" laws wang -p radius_m=0.1 -p E_Pa=10e9 -p nu=0.15 -p phi_deg=25 -p sigma_c_Pa=15e6
+printf 'delta_m,force_N\n0,0\n1e-5,1\n' >curve.csv
+answers 2 '--sigma_c_Pa' "$platen" fit curve.csv --radius_m 1e-3 --E_Pa 1e9 --nu 0.3 --law wang
+
 # --- curves ---
 printf 'delta_m,force_N\n0,0\n1e-5,oops\n' >curve.csv
 answers 2 'line 3, column force_N' "$platen" fit curve.csv --radius_m 1e-3 --law edmans-sinka

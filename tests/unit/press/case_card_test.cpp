@@ -54,8 +54,17 @@ TEST(CaseCard, RefusesAPathThatCannotBePressed) {
 
 TEST(CaseCard, RefusesWhatIsNotThereYet) {
   EXPECT_EQ(refusal("platen = 1\nexperiment = \"die\"\nmaterial = \"base-case\"\nradius_m = 1"),
-            "c.toml, line 2: experiment = \"die\" is not available yet; available is: simple");
-  EXPECT_NE(refusal(head + "[path]\nforce_max_N = 1").find("not available yet"), std::string::npos);
+            "c.toml, line 2: experiment = \"die\" is not available yet; available are: simple, local");
+  EXPECT_NE(refusal(head + "[path]\nforce_max_N = 1").find("is for experiment = \"local\""),
+            std::string::npos);
+}
+
+TEST(CaseCard, OfALocalPressGoesByForce) {
+  const std::string local = "platen = 1\nexperiment = \"local\"\nmaterial = \"elastic\"\nradius_m = 0.1\n";
+  EXPECT_EQ(refusal(local + "[path]\nforce_max_N = 5\nunload_from_N = [6]"),
+            "c.toml, line 7: [path] unload_from_N goes to 6, beyond force_max_N = 5");
+  EXPECT_NE(refusal(local + "[path]\ndelta_bar_max = 0.1").find("there is no such key"), std::string::npos);
+  EXPECT_NE(refusal(local + "[mesh]\nedges = 4").find("[8, 100]"), std::string::npos);
 }
 
 TEST(CaseCard, NamesWhatWasMeant) {

@@ -43,7 +43,8 @@ TEST(CurveCsv, HasTheAgreedColumns) {
       text.find(
           "\nbranch_id,branch,delta_m,delta_bar,force_N,F_bar,contact_radius_m,mean_pressure_Pa,"
           "peak_pressure_Pa,zone_elastic,zone_shear,zone_compaction,zone_tension,work_J,stored_J,"
-          "dissipated_J,rho_r_mean,rho_r_min,rho_r_max,sigma_1_max_Pa,equator_displacement_m,iterations\n"),
+          "dissipated_J,rho_r_mean,rho_r_min,rho_r_max,sigma_1_max_Pa,equator_displacement_m,iterations,"
+          "hertz_delta_m,mises_max_Pa\n"),
       std::string::npos);
   EXPECT_TRUE(text.starts_with("# radius_m = 0.001\n# sigma_ref_Pa = 1e6\n"));
 }

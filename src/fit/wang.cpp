@@ -1,0 +1,198 @@
+#include "fit/wang.hpp"
+
+#include "core/error.hpp"
+#include "core/number.hpp"
+#include "core/sha256.hpp"
+#include "fit/golden.hpp"
+#include "fit/samples.hpp"
+#include "fit/unloading.hpp"
+#include "platen/law/drucker_prager_yield.hpp"
+
+#include <Eigen/Dense>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+namespace platen::fit {
+namespace {
+
+constexpr std::size_t fewest_points = 8;
+
+void check(const press::Curve& curve) {
+  const auto need = [](bool there, std::string_view key) {
+    if (!there)
+      throw core::InvalidInput(
+          fmt::format("the curve says no {0}, which wang needs; give --{0}, or a line '# {0} = ...'", key));
+  };
+  need(curve.E_Pa > 0, "E_Pa");
+  need(curve.sigma_c_Pa > 0, "sigma_c_Pa");
+}
+
+/// Beyond first yield, in units of it.
+Samples plastic_samples(const press::Curve& curve, const WangFit& yield) {
+  Samples samples;
+  for (const auto& point : curve.points) {
+    const double omega = point.delta_m / yield.delta_y_m;
+    if (point.branch != press::Branch::loading || !(omega >= 1)) continue;
+    if (samples.size() && !(omega > samples.delta_bar.back()))
+      throw core::InvalidInput("the loading branch does not ascend in delta");
+    samples.delta_bar.push_back(omega);
+    samples.F_bar.push_back(point.force_N / yield.F_y_N);
+  }
+  if (samples.size() < fewest_points)
+    throw core::InvalidInput(
+        fmt::format("the loading branch has {} points beyond first yield, F_y = {:.4g} N; a fit of wang "
+                    "needs at least {}",
+                    samples.size(), yield.F_y_N, fewest_points));
+  samples.weight = trapezoid_weights(samples.delta_bar, samples.delta_bar.front());
+  return samples;
+}
+
+double squares(const Samples& s, const std::vector<double>& law) {
+  double sum = 0;
+  for (std::size_t i = 0; i < s.size(); ++i) sum += s.weight[i] * std::pow(law[i] - s.F_bar[i], 2);
+  return sum;
+}
+
+double rmse(const Samples& s, const std::vector<double>& law) {
+  return std::sqrt(squares(s, law) / (s.delta_bar.back() - s.delta_bar.front()));
+}
+
+/// c f(omega), with c projected out.
+struct Scaled {
+  double c;
+  std::vector<double> values;
+};
+Scaled scaled(const Samples& s, const std::function<double(double)>& f) {
+  double ff = 0, fy = 0;
+  Scaled result;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    result.values.push_back(f(s.delta_bar[i]));
+    ff += s.weight[i] * result.values[i] * result.values[i];
+    fy += s.weight[i] * result.values[i] * s.F_bar[i];
+  }
+  result.c = fy / ff;
+  for (double& value : result.values) value *= result.c;
+  return result;
+}
+
+/// The exponent, or rate, for which c f(omega, x) is nearest.
+template <class Form> double nearest(const Samples& s, const Form& form, double low, double high) {
+  std::vector<double> candidates;
+  for (int i = 0; i <= 32; ++i) candidates.push_back(low + (high - low) * i / 32);
+  const auto error = [&](double x) {
+    return squares(s, scaled(s, [&](double omega) { return form(omega, x); }).values);
+  };
+  return scanned_minimum(error, candidates, 60).at;
+}
+
+FormFit polynomial(const Samples& s, std::string name, int degree) {
+  Eigen::MatrixXd A(s.size(), degree + 1);
+  Eigen::VectorXd y(s.size());
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const double root = std::sqrt(s.weight[i]);
+    for (int k = 0; k <= degree; ++k)
+      A(static_cast<int>(i), k) = root * std::pow(s.delta_bar[i] / s.delta_bar.back(), k);
+    y(static_cast<int>(i)) = root * s.F_bar[i];
+  }
+  const Eigen::VectorXd c = A.colPivHouseholderQr().solve(y);
+  std::vector<double> law;
+  for (const double omega : s.delta_bar) {
+    double F = 0;
+    for (int k = 0; k <= degree; ++k) F += c(k) * std::pow(omega / s.delta_bar.back(), k);
+    law.push_back(F);
+  }
+  return {std::move(name), degree + 1, r_squared(s, law), rmse(s, law)};
+}
+
+FormFit exponential(const Samples& s) {
+  const auto form = [&](double omega, double rate) { return std::exp(rate * omega / s.delta_bar.back()); };
+  const double rate = nearest(s, form, 0, 6);
+  const auto law = scaled(s, [&](double omega) { return form(omega, rate); }).values;
+  return {"exponential", 2, r_squared(s, law), rmse(s, law)};
+}
+
+void fit_branches(const press::Curve& curve, WangFit& fit) {
+  const UnloadingFits branches = fit_unloading(curve);
+  fit.branches = branches.fits;
+  fit.skipped = branches.skipped;
+  const double force_unit =
+      fit.F_y_N / (std::numbers::pi * curve.radius_m * curve.radius_m * curve.sigma_ref_Pa);
+  const double delta_y = fit.delta_y_m / curve.radius_m;
+  for (const UnloadingFit& f : branches.fits) {
+    const double range = (f.delta_bar_max - f.delta_bar_0) / delta_y;
+    fit.unloading.push_back({f.delta_bar_max / delta_y, f.F_bar_max / force_unit / std::pow(range, f.alpha),
+                             f.alpha, f.delta_bar_0 * curve.radius_m, f.r_squared});
+  }
+}
+
+} // namespace
+
+press::Curve hertz_consistent(const press::Curve& curve) {
+  press::Curve shifted = curve;
+  const double nu = curve.nu, R = curve.radius_m; // Tatara's far field for a small contact
+  const double far_field = ((1 + nu) / 4 + (1 - nu * nu) / 2) / (std::numbers::pi * curve.E_Pa * R);
+  for (auto& point : shifted.points) {
+    point.delta_m = point.hertz_delta_m > 0 ? point.hertz_delta_m : point.delta_m + point.force_N * far_field;
+    point.delta_bar = point.delta_m / R;
+  }
+  return shifted;
+}
+
+double WangFit::F_over_F_y(double omega) const {
+  return omega < 1 ? std::pow(omega, 1.5) : a * std::pow(omega, b);
+}
+
+WangFit fit_wang(const press::Curve& pressed) {
+  check(pressed);
+  const press::Curve curve = hertz_consistent(pressed);
+  WangFit fit;
+  const double p0 = law::drucker_prager_yield(curve.nu, curve.phi_deg, curve.sigma_c_Pa).p0;
+  const double E_star = curve.E_Pa / (1 - curve.nu * curve.nu), R = curve.radius_m;
+  fit.F_y_N = std::pow(std::numbers::pi * p0, 3) * R * R / (6 * E_star * E_star);
+  fit.delta_y_m = std::pow(std::numbers::pi * p0 / (2 * E_star), 2) * R;
+
+  const Samples samples = plastic_samples(curve, fit);
+  const auto power = [](double omega, double b) { return std::pow(omega, b); };
+  fit.b = nearest(samples, power, 1, 3);
+  const Scaled law = scaled(samples, [&](double omega) { return power(omega, fit.b); });
+  fit.a = law.c;
+  fit.r_squared = r_squared(samples, law.values);
+  fit.rmse = rmse(samples, law.values);
+  fit.points = samples.size();
+  fit.omega_max = samples.delta_bar.back();
+  fit.others = {exponential(samples), polynomial(samples, "parabola", 2), polynomial(samples, "cubic", 3)};
+  fit_branches(curve, fit);
+  return fit;
+}
+
+LawCard law_card(const press::Curve& curve, const WangFit& fit, std::string_view curve_text) {
+  LawCard card;
+  card.law = "wang";
+  card.variant = fit.unloading.empty() ? "generic" : "fitted";
+  const auto put = [&](const char* key, double value) { card.parameters[key] = core::number_text(value); };
+  put("E_Pa", curve.E_Pa);
+  put("nu", curve.nu);
+  put("phi_deg", curve.phi_deg);
+  put("sigma_c_Pa", curve.sigma_c_Pa);
+  put("a", fit.a);
+  put("b", fit.b);
+  card.errors = {{"R2", fit.r_squared}, {"rmse_over_F_y", fit.rmse}};
+  if (!fit.unloading.empty()) {
+    put("m", fit.unloading.back().m);
+    put("n", fit.unloading.back().n);
+    card.errors.emplace_back("unload_R2", fit.unloading.back().r_squared);
+  }
+  const double delta_y_bar = fit.delta_y_m / curve.radius_m;
+  card.delta_bar = {delta_y_bar, fit.omega_max * delta_y_bar};
+  card.provenance = {{"material", curve.material},
+                     {"approach", std::string("Hertz-consistent, far field of the sphere taken out")},
+                     {"curve_sha256", core::sha256(curve_text)},
+                     {"engine", curve.engine}};
+  return card;
+}
+
+} // namespace platen::fit

@@ -1,0 +1,51 @@
+#pragma once
+// The local press: two equal spheres, or a sphere on a rigid plane, at loads where the contact radius is a
+// few per cent of the sphere's (Wang et al. section 3). The path goes by force.
+//
+// One mesh serves all loads (fe/contact_grid.hpp). The sphere is whole: what its finite size adds to the
+// approach is in delta_m, and taken out in hertz_delta_m, which laws that have Hertz's elastic limit are
+// fitted to.
+
+#include "press/simple.hpp"
+
+#include <optional>
+
+namespace platen::press {
+
+/// Where and at which force the material first yields. Below yield stresses grow with the cube root of the
+/// force (Hertz), so the force is extrapolated from the last step before it.
+struct Onset {
+  double force_N;
+  double r_over_a, depth_over_a; ///< place, over the contact radius of that step
+};
+
+/// Contact pressure over the radius at one load.
+struct PressureProfile {
+  double force_N, contact_radius_m;
+  std::vector<std::array<double, 2>> points; ///< radius in the middle of an edge (m), mean pressure (Pa)
+};
+
+struct BreakThrough {
+  double plastic_strain; ///< threshold of the norm of the plastic strain
+  double force_N;
+};
+
+struct LocalResult : Result {
+  std::optional<Onset> axis; ///< first yield within 0.1 a of the axis
+  std::optional<Onset> edge; ///< near the contact edge, as far as the mesh resolves it: no nearer than its
+                             ///< outermost Gauss points, while Hertz's field is steepest at the surface
+  std::vector<PressureProfile> profiles;
+  /// Where the plastic zone under the contact first reaches the free surface, for several thresholds of
+  /// the plastic strain; absent where it did not.
+  std::vector<BreakThrough> break_through;
+};
+
+/// Loads to force_max_N; from each force of unload_from_N unloads a copy of the loaded state until it
+/// separates, and loads it again to where it came from where the case says so. Errors as simple().
+LocalResult local(const Case&, const Progress& = {});
+
+/// profile-*.csv: `# key = value` lines, then radius_m,pressure_Pa.
+std::string profile_csv(const PressureProfile&);
+std::string profile_name(const PressureProfile&);
+
+} // namespace platen::press
