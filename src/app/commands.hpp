@@ -16,5 +16,6 @@ void add_derive(CLI::App&);
 void add_laws(CLI::App&);
 void add_eval(CLI::App&);
 void add_export(CLI::App&);
+void add_study(CLI::App&);
 
 } // namespace platen::app
