@@ -29,8 +29,8 @@ study::Store store_of(const study::Study& s, const Options& o) {
 
 void print_tally(const study::Tally& t, const study::Store& store) {
   const int there = t.done + t.failed, left = t.runs - there;
-  fmt::print("{} runs: {} done, {} failed, {} left; {:.0f} s CPU, {:.0f} s wall in presses; store {}\n", t.runs, t.done,
-             t.failed, left, t.cpu_s, t.wall_s, store.folder().string());
+  fmt::print("{} runs: {} done, {} failed, {} left; {:.0f} s CPU, {:.0f} s wall in presses; store {}\n",
+             t.runs, t.done, t.failed, left, t.cpu_s, t.wall_s, store.folder().string());
   if (left > 0 && there > 0)
     fmt::print("about {:.0f} minutes of one worker left\n", t.wall_s / there * left / 60);
 }
@@ -40,7 +40,7 @@ void status(const Options& o) {
   const auto store = store_of(s, o);
   print_tally(study::tally(s, store), store);
   for (const auto& run : s.runs)
-    if (const auto key = key_of(run.press_case); store.state(key) == study::Store::State::failed)
+    if (const auto key = study::key_of(run.press_case); store.state(key) == study::Store::State::failed)
       fmt::print("failed {}: {}\n", key, store.failure(key));
 }
 
@@ -50,7 +50,8 @@ void run(const Options& o) {
   store.open_for_writing(o.recompute);
   if (o.retry_failed)
     for (const auto& one : s.runs)
-      if (const auto key = key_of(one.press_case); store.state(key) == study::Store::State::failed) store.forget(key);
+      if (const auto key = study::key_of(one.press_case); store.state(key) == study::Store::State::failed)
+        store.forget(key);
   {
     core::Progress progress("study " + s.name);
     study::work(s, store, o.workers, [&](const study::Tally& t) {
@@ -61,7 +62,8 @@ void run(const Options& o) {
   const auto t = study::tally(s, store);
   print_tally(t, store);
   if (t.done == 0 && t.failed > 0)
-    throw core::ConvergenceError("every press of the study failed; `platen study status` gives the reasons", 0, 0, 0);
+    throw core::ConvergenceError("every press of the study failed; `platen study status` gives the reasons",
+                                 0, 0, 0);
 }
 
 void export_table(const Options& o) {
@@ -99,7 +101,8 @@ void add_study(CLI::App& program) {
   add("status", "what is done, what failed and why, what is left", status);
   auto* table = add("export", "fit the kept curves and write one table, without a press", export_table);
   table->add_option("-o", o->output, "the table")->type_name("FILE")->capture_default_str();
-  table->add_option("--variant", o->variant, "form of the law: published, c1, hertz-like")->capture_default_str();
+  table->add_option("--variant", o->variant, "form of the law: published, c1, hertz-like")
+      ->capture_default_str();
   auto* join = add("merge", "copy runs of other stores into this one", merge);
   join->add_option("--from", o->others, "the other stores")->required()->type_name("DIR");
   command->footer("Example: platen study run examples/study.toml");

@@ -61,17 +61,16 @@ core::Entry* entry(Table& table, std::string_view key) {
 Table base_case(const Table& card) {
   const Value* value = card.find("case");
   if (!value)
-    throw core::InvalidInput(fmt::format("{}: case is missing: the path of a case card, or a table", card.file));
+    throw core::InvalidInput(
+        fmt::format("{}: case is missing: the path of a case card, or a table", card.file));
   Table base;
   if (const auto* table = std::get_if<Table>(&value->data)) base = *table;
-  else
-    base = core::read_toml(std::filesystem::path(card.file).parent_path() / text(card, "case", *value));
+  else base = core::read_toml(std::filesystem::path(card.file).parent_path() / text(card, "case", *value));
   if (core::Entry* material = entry(base, "material"))
     if (const auto* what = std::get_if<std::string>(&material->value.data)) {
       const auto beside = std::filesystem::path(base.file).parent_path() / *what;
-      material->value.data = core::read_toml(std::filesystem::is_regular_file(beside)
-                                                 ? beside
-                                                 : core::find_card("materials", *what));
+      material->value.data = core::read_toml(
+          std::filesystem::is_regular_file(beside) ? beside : core::find_card("materials", *what));
     }
   return base;
 }
@@ -147,8 +146,8 @@ std::vector<std::string> laws(const Table& card) {
 
 Study read_study(std::string_view path) {
   const Table card = core::read_toml(path);
-  const Head head =
-      core::read_fields<Head>(card, head_fields, {}, std::vector<std::string>{"case", "design", "factors", "fit"});
+  const Head head = core::read_fields<Head>(card, head_fields, {},
+                                            std::vector<std::string>{"case", "design", "factors", "fit"});
   const Table& design_table = needed(card, "design");
   const Design design = core::read_fields<Design>(design_table, design_fields);
   if (design.kind != "factorial")
@@ -160,14 +159,16 @@ Study read_study(std::string_view path) {
   for (const auto& [key, value] : factors.entries) {
     const auto* table = std::get_if<Table>(&value.data);
     if (!table)
-      throw core::InvalidInput(fmt::format("{} must be a table: {{ values = [...] }}", core::place(factors, key)));
+      throw core::InvalidInput(
+          fmt::format("{} must be a table: {{ values = [...] }}", core::place(factors, key)));
     study.factors.push_back(key);
     levels.push_back(core::read_fields<Factor>(*table, factor_fields).values);
   }
   const Table base = base_case(card);
   const auto points = factorial(levels);
   if (points.empty() || study.factors.empty())
-    throw core::InvalidInput(fmt::format("{}: the design is empty; give each factor at least one value", card.file));
+    throw core::InvalidInput(
+        fmt::format("{}: the design is empty; give each factor at least one value", card.file));
   for (const auto& point : points) {
     Table one = base;
     for (std::size_t i = 0; i < point.size(); ++i) set(one, study.factors[i], point[i]);

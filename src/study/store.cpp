@@ -75,7 +75,8 @@ bool make(const fs::path& claim) {
 void remove_if_stale(const fs::path& claim) {
   const fs::path lock = claim.parent_path() / ".lock";
   const int file = ::open(lock.c_str(), O_RDWR | O_CREAT, 0644);
-  if (file < 0) throw core::IoError(fmt::format("{} cannot be made: {}", lock.string(), std::strerror(errno)));
+  if (file < 0)
+    throw core::IoError(fmt::format("{} cannot be made: {}", lock.string(), std::strerror(errno)));
   if (::flock(file, LOCK_EX) == 0 && stale(claim)) ::unlink(claim.c_str());
   ::close(file); // gives the lock back
 }
@@ -109,8 +110,9 @@ void Store::open_for_writing(bool recompute) const {
     file >> engine >> std::ws;
     std::getline(file, name);
     if (name != study_)
-      throw core::InvalidInput(fmt::format(
-          "{} holds the runs of the study '{}', not of '{}'; give another folder", folder_.string(), name, study_));
+      throw core::InvalidInput(
+          fmt::format("{} holds the runs of the study '{}', not of '{}'; give another folder",
+                      folder_.string(), name, study_));
     if (engine == core::engine) return;
     if (!recompute)
       throw core::InvalidInput(fmt::format(

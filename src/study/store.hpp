@@ -1,6 +1,6 @@
 #pragma once
-// The run store: a folder of finished runs, runs/KEY/. A run is written under a temporary name and renamed, so it
-// is whole or not there. claims/KEY keeps two workers from one run.
+// The run store: a folder of finished runs, runs/KEY/. A run is written under a temporary name and renamed,
+// so it is whole or not there. claims/KEY keeps two workers from one run.
 
 #include "core/version.hpp"
 #include "press/simple.hpp"
@@ -33,8 +33,8 @@ class Store {
   /// Opens without writing. `study`: its name.
   Store(std::filesystem::path folder, std::string study);
 
-  /// Makes the folder, or checks it: IoError where it cannot be written, InvalidInput for runs of another study
-  /// or another engine number, unless these are to be left beside the new ones.
+  /// Makes the folder, or checks it: IoError where it cannot be written, InvalidInput for runs of another
+  /// study or another engine number, unless these are to be left beside the new ones.
   void open_for_writing(bool recompute) const;
 
   enum class State { missing, done, failed };

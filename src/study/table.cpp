@@ -31,9 +31,10 @@ std::string unloading_cells(const press::Curve& curve, const std::vector<double>
     const fit::UnloadingFit* found = nullptr;
     for (const auto& fit : fits)
       if (std::abs(fit.delta_bar_max - delta_bar) < 1e-9) found = &fit;
-    cells += found ? fmt::format(",{},{},{},{}", core::number_text(found->alpha), core::number_text(found->beta),
-                                 core::number_text(found->delta_bar_0), core::number_text(found->r_squared))
-                   : ",,,,";
+    cells +=
+        found ? fmt::format(",{},{},{},{}", core::number_text(found->alpha), core::number_text(found->beta),
+                            core::number_text(found->delta_bar_0), core::number_text(found->r_squared))
+              : ",,,,";
   }
   return cells;
 }
@@ -44,7 +45,8 @@ std::string runs_csv(const Study& study, const Store& store, std::string_view va
   // Factors may change where a run unloads; columns are those of the first.
   const auto from = study.runs.front().press_case.unload_from;
   const bool fitted = !study.laws.empty();
-  std::string csv = fmt::format("# study = {}\n# engine = {}\n# variant = {}\nkey", study.name, core::engine, variant);
+  std::string csv =
+      fmt::format("# study = {}\n# engine = {}\n# variant = {}\nkey", study.name, core::engine, variant);
   for (const auto& factor : study.factors) csv += "," + factor;
   csv += ",state";
   std::string empty;

@@ -47,9 +47,7 @@ int worker(const Study& study, const Store& store) {
   try {
     work(study, store);
     return 0;
-  } catch (const core::Interrupted&) {
-    return 130;
-  } catch (const std::exception& error) {
+  } catch (const core::Interrupted&) { return 130; } catch (const std::exception& error) {
     core::say(fmt::format("platen: {}\n", error.what()));
     return 4;
   }
@@ -82,7 +80,8 @@ void work(const Study& study, const Store& store) {
   }
 }
 
-void work(const Study& study, const Store& store, int workers, const std::function<void(const Tally&)>& show) {
+void work(const Study& study, const Store& store, int workers,
+          const std::function<void(const Tally&)>& show) {
   std::fflush(nullptr); // or each child would print it again
   std::vector<pid_t> children;
   for (int i = 0; i < workers; ++i) {
@@ -108,10 +107,12 @@ void work(const Study& study, const Store& store, int workers, const std::functi
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
   }
   if (core::interrupted() || worst == 130)
-    throw core::Interrupted("stopped as asked; the finished runs are in the store, and the same command goes on");
+    throw core::Interrupted(
+        "stopped as asked; the finished runs are in the store, and the same command goes on");
   if (worst != 0)
-    throw core::IoError("a worker stopped (its message is above); finished runs are in the store, and the same "
-                        "command goes on");
+    throw core::IoError(
+        "a worker stopped (its message is above); finished runs are in the store, and the same "
+        "command goes on");
 }
 
 } // namespace platen::study

@@ -14,12 +14,12 @@ struct Tally {
 };
 Tally tally(const Study&, const Store&);
 
-/// Presses until nothing is left to claim. Throws core::Interrupted, core::IoError; a press that fails is kept
-/// with its reason.
+/// Presses until nothing is left to claim. Throws core::Interrupted, core::IoError; a press that fails is
+/// kept with its reason.
 void work(const Study&, const Store&);
 
-/// The same in `workers` processes; `show` is called now and then. Throws what stopped a worker: Interrupted when
-/// the user asked, IoError when the store could not be written or a worker died.
+/// The same in `workers` processes; `show` is called now and then. Throws what stopped a worker: Interrupted
+/// when the user asked, IoError when the store could not be written or a worker died.
 void work(const Study&, const Store&, int workers, const std::function<void(const Tally&)>& show);
 
 } // namespace platen::study
