@@ -39,7 +39,10 @@ std::string birth(long process) {
   if (!std::getline(file, line)) return {};
   std::istringstream rest(line.substr(line.rfind(')') + 1)); // field 3 on; proc(5): the start is field 22
   std::string field;
-  for (int i = 3; i <= 22; ++i) rest >> field;
+  for (int i = 3; i <= 22; ++i) {
+    rest >> field;
+    if (i == 3 && (field == "Z" || field == "X")) return {}; // killed, and nobody has collected it
+  }
   return field;
 }
 
@@ -55,20 +58,17 @@ bool stale(const fs::path& claim) {
   return age > std::chrono::minutes(15);
 }
 
+/// False when somebody else has it. link(2) is exclusive as O_EXCL is, and the claim is never there without
+/// its words.
 bool make(const fs::path& claim) {
-  const int file = ::open(claim.c_str(), O_WRONLY | O_CREAT | O_EXCL, 0644);
-  if (file < 0) {
-    if (errno == EEXIST) return false;
-    throw core::IoError(fmt::format("{} cannot be made: {}", claim.string(), std::strerror(errno)));
-  }
-  const std::string text = fmt::format("{} {} {}\n", host(), ::getpid(), birth(::getpid()));
-  const bool written = ::write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size());
-  ::close(file);
-  if (!written) {
-    ::unlink(claim.c_str());
-    throw core::IoError(fmt::format("{} cannot be written; is the disk full?", claim.string()));
-  }
-  return true;
+  const fs::path own = claim.parent_path() / fmt::format(".{}-{}", host(), ::getpid());
+  core::write_file(own, fmt::format("{} {} {}\n", host(), ::getpid(), birth(::getpid())));
+  const bool made = ::link(own.c_str(), claim.c_str()) == 0;
+  const int error = errno;
+  ::unlink(own.c_str());
+  if (!made && error != EEXIST)
+    throw core::IoError(fmt::format("{} cannot be made: {}", claim.string(), std::strerror(error)));
+  return made;
 }
 
 /// Removes a stale claim. One at a time: between looking and removing, another worker might make a new one.
