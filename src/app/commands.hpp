@@ -17,5 +17,6 @@ void add_laws(CLI::App&);
 void add_eval(CLI::App&);
 void add_compare(CLI::App&);
 void add_export(CLI::App&);
+void add_study(CLI::App&);
 
 } // namespace platen::app

@@ -55,6 +55,7 @@ int run(int argc, char** argv) {
   app::add_eval(program);
   app::add_compare(program);
   app::add_export(program);
+  app::add_study(program);
   try {
     refuse_unknown_command(program, argc, argv);
     program.parse(argc, argv); // runs the command's callback
