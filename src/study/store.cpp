@@ -88,7 +88,12 @@ std::string key_of(const press::Case& c, int engine) {
 }
 
 Claim::~Claim() {
-  if (!file_.empty()) ::unlink(file_.c_str());
+  if (file_.empty()) return;
+  // After a long sleep another worker may have taken it over: that claim stays.
+  std::ifstream file(file_);
+  std::string where;
+  long process = 0;
+  if (file >> where >> process && where == host() && process == ::getpid()) ::unlink(file_.c_str());
 }
 
 void Claim::refresh() const {
