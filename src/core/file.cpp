@@ -73,9 +73,10 @@ void prepare_folder(const fs::path& folder) {
   if (reason.empty() && !fs::is_directory(folder)) reason = "it is a file";
   if (reason.empty() && ::access(folder.c_str(), W_OK | X_OK) != 0) reason = std::strerror(errno);
   if (!reason.empty())
-    throw IoError(fmt::format("{}: the output folder cannot be written ({}); name another, or make this one "
-                              "writable",
-                              folder.string(), reason));
+    throw IoError(
+        fmt::format("{}: the output folder cannot be written ({}); name another with -o, or make this one "
+                    "writable",
+                    folder.string(), reason));
 }
 
 } // namespace platen::core
