@@ -2,7 +2,6 @@
 
 #include "core/error.hpp"
 #include "core/number.hpp"
-#include "core/version.hpp"
 #include "press/sphere_run.hpp"
 #include "press/yield_watch.hpp"
 
@@ -45,21 +44,9 @@ class LocalPress {
  public:
   LocalPress(const Case& c, const Progress& progress_)
       : press_case(c), progress(progress_), run(c), watch(c, run) {
-    Curve& curve = result.curve;
-    curve.radius_m = c.radius_m;
-    curve.sigma_ref_Pa = material::reference_stress(c.material.model);
-    curve.E_Pa = material::initial_E(c.material.model);
-    curve.nu = material::initial_nu(c.material.model);
-    curve.experiment = c.experiment;
-    curve.material = c.material.name;
-    curve.version = std::string(core::version);
-    curve.engine = core::engine;
-    std::tie(curve.phi_deg, curve.sigma_c_Pa) = drucker_prager_strength(c.material.model);
-    stops = c.unload_from_N;
-    stops.insert(stops.end(), c.fields_at_N.begin(), c.fields_at_N.end());
-    stops.push_back(c.force_max_N);
-    std::sort(stops.begin(), stops.end());
-    stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
+    result.curve = begun_curve(c);
+    std::tie(result.curve.phi_deg, result.curve.sigma_c_Pa) = drucker_prager_strength(c.material.model);
+    stops = halts(c.unload_from_N, c.fields_at_N, c.force_max_N);
   }
 
   LocalResult operator()() {
@@ -135,7 +122,7 @@ class LocalPress {
     // The first step by the elastic flat punch of the current radius, the others by the slope met.
     const double E = result.curve.E_Pa, nu = result.curve.nu, R = press_case.radius_m;
     double slope = E / (1 - nu * nu) * 2 * run.row().contact_radius_m * R;
-    add_row(Branch::unloading, id, branches);
+    branches.push_back(run.row(Branch::unloading, id));
     int cuts = 0;
     while (run.row().force_N > separated * force) {
       const double here = run.delta_bar(), force_here = run.row().force_N;
@@ -181,18 +168,12 @@ class LocalPress {
   }
 
   void accept(Branch kind, int id, std::vector<CurvePoint>& into) {
-    add_row(kind, id, into);
+    into.push_back(run.row(kind, id));
     if (kind == Branch::loading) {
       watch.look(run);
       last_fraction = run.row().force_N / press_case.force_max_N;
     }
     if (progress && !progress(last_fraction, into.back())) throw Stop{};
-  }
-
-  void add_row(Branch kind, int id, std::vector<CurvePoint>& into) {
-    into.push_back(run.row());
-    into.back().branch = kind;
-    into.back().branch_id = id;
   }
 
   void fail(double delta_bar) {

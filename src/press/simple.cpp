@@ -1,7 +1,6 @@
 #include "press/simple.hpp"
 
 #include "core/error.hpp"
-#include "core/version.hpp"
 #include "press/sphere_run.hpp"
 
 #include <algorithm>
@@ -38,20 +37,8 @@ void check(const Case& c) {
 class Press {
  public:
   Press(const Case& c, const Progress& progress_) : press_case(c), progress(progress_), run(c) {
-    Curve& curve = result.curve;
-    curve.radius_m = c.radius_m;
-    curve.sigma_ref_Pa = material::reference_stress(c.material.model);
-    curve.E_Pa = material::initial_E(c.material.model);
-    curve.nu = material::initial_nu(c.material.model);
-    curve.experiment = c.experiment;
-    curve.material = c.material.name;
-    curve.version = std::string(core::version);
-    curve.engine = core::engine;
-    stops = c.unload_from;
-    stops.insert(stops.end(), c.fields_at.begin(), c.fields_at.end());
-    stops.push_back(c.delta_bar_max);
-    std::sort(stops.begin(), stops.end());
-    stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
+    result.curve = begun_curve(c);
+    stops = halts(c.unload_from, c.fields_at, c.delta_bar_max);
   }
 
   Result operator()() {
@@ -101,7 +88,7 @@ class Press {
     // The first step by the elastic flat punch of the current radius, the others by the slope met.
     const double E = result.curve.E_Pa, nu = result.curve.nu, R = press_case.radius_m;
     double slope = E / (1 - nu * nu) * 2 * std::max(run.row().contact_radius_m, 1e-3 * R) * R;
-    add_row(Branch::unloading, id, branches);
+    branches.push_back(run.row(Branch::unloading, id));
     int cuts = 0;
     while (run.row().force_N > separated * force) {
       const double here = run.delta_bar(), force_here = run.row().force_N;
@@ -138,18 +125,12 @@ class Press {
       why = report.why;
       return false;
     }
-    add_row(kind, id, into);
+    into.push_back(run.row(kind, id));
     if (progress && !progress(kind == Branch::loading ? delta_bar / press_case.delta_bar_max : last_fraction,
                               into.back()))
       throw Stop{};
     if (kind == Branch::loading) last_fraction = delta_bar / press_case.delta_bar_max;
     return true;
-  }
-
-  void add_row(Branch kind, int id, std::vector<CurvePoint>& into) {
-    into.push_back(run.row());
-    into.back().branch = kind;
-    into.back().branch_id = id;
   }
 
   void fail(double delta_bar) {

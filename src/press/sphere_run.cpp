@@ -1,5 +1,6 @@
 #include "press/sphere_run.hpp"
 
+#include "core/version.hpp"
 #include "fe/contact_grid.hpp"
 
 #include <algorithm>
@@ -226,6 +227,34 @@ Snapshot SphereRun::snapshot(Branch branch) const {
     s.rho_r.push_back(material::relative_density(solid.model, phi));
   }
   return s;
+}
+
+CurvePoint SphereRun::row(Branch branch, int branch_id) const {
+  CurvePoint point = now.row;
+  point.branch = branch;
+  point.branch_id = branch_id;
+  return point;
+}
+
+Curve begun_curve(const Case& c) {
+  Curve curve;
+  curve.radius_m = c.radius_m;
+  curve.sigma_ref_Pa = material::reference_stress(c.material.model);
+  curve.E_Pa = material::initial_E(c.material.model);
+  curve.nu = material::initial_nu(c.material.model);
+  curve.experiment = c.experiment;
+  curve.material = c.material.name;
+  curve.version = std::string(core::version);
+  curve.engine = core::engine;
+  return curve;
+}
+
+std::vector<double> halts(std::vector<double> some, const std::vector<double>& others, double end) {
+  some.insert(some.end(), others.begin(), others.end());
+  some.push_back(end);
+  std::sort(some.begin(), some.end());
+  some.erase(std::unique(some.begin(), some.end()), some.end());
+  return some;
 }
 
 } // namespace platen::press

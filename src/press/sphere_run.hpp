@@ -29,6 +29,7 @@ class SphereRun {
   fe::StepReport advance(double delta_bar);
 
   const CurvePoint& row() const { return now.row; }
+  CurvePoint row(Branch, int branch_id) const;
   double delta_bar() const { return now.delta_bar; }
   Snapshot snapshot(Branch) const;
   const fe::PlaneContact& plane() const { return contact; }
@@ -47,5 +48,11 @@ class SphereRun {
   State now;
   Statistics counted;
 };
+
+/// The curve of a case before its first point.
+Curve begun_curve(const Case&);
+
+/// Where loading halts, ascending: each of both lists, and the end.
+std::vector<double> halts(std::vector<double> some, const std::vector<double>& others, double end);
 
 } // namespace platen::press

@@ -140,10 +140,6 @@ template <class Real> PLATEN_FUNCTION Real mean_pressure(const Real& F, const Re
   return a > Real(0) ? F / (Real(std::numbers::pi) * a * a) : Real(0);
 }
 
-} // namespace detail
-
-namespace detail {
-
 /// Work that unloading from gamma_max does not return.
 template <class Real> PLATEN_HOT Real dissipated_work(const Real& gamma_max, const Peak<Real>& peak) {
   const auto& [rate, alpha] = peak.end;
