@@ -32,8 +32,7 @@ struct BreakThrough {
 
 struct LocalResult : Result {
   std::optional<Onset> axis; ///< first yield within 0.1 a of the axis
-  std::optional<Onset> edge; ///< near the contact edge, as far as the mesh resolves it: no nearer than its
-                             ///< outermost Gauss points, while Hertz's field is steepest at the surface
+  std::optional<Onset> edge; ///< of the free surface at the contact edge
   std::vector<PressureProfile> profiles;
   /// Where the plastic zone under the contact first reaches the free surface, for several thresholds of
   /// the plastic strain; absent where it did not.
