@@ -19,7 +19,6 @@ constexpr int edges_left_out = 2;
 constexpr double beside = 1.4;
 /// The zone under the contact is what flows at least this deep, in contact radii.
 constexpr double core_depth = 0.25;
-constexpr std::array<double, 5> thresholds = {1e-5, 1e-4, 2e-4, 5e-4, 1e-3}; // of plastic strain
 constexpr double degree = std::numbers::pi / 180;
 
 struct Strength {
@@ -147,13 +146,13 @@ void YieldWatch::extend(Candidate& candidate, double force_N, std::array<double,
 }
 
 void YieldWatch::look_for_break_through(const SphereRun& run) {
-  if (broken.size() == thresholds.size() || run.row().zone_elastic == 1) return;
+  if (broken.size() == joining_strains.size() || run.row().zone_elastic == 1) return;
   const auto& points = run.state().points;
   std::vector<double> plastic(neighbours.size(), 0);
   for (std::size_t i = 0; i < points.size(); ++i) plastic[i / 4] += plastic_magnitude(points[i].state) / 4;
   const double now = joining_strain(plastic, run.row().contact_radius_m / press_case.radius_m);
   const double F = run.row().force_N;
-  for (const double threshold : thresholds)
+  for (const double threshold : joining_strains)
     if (joined.plastic_strain < threshold && now >= threshold)
       broken.push_back(
           {threshold, joined.force_N + (F - joined.force_N) * (threshold - joined.plastic_strain) /
