@@ -31,6 +31,9 @@ std::string wang_words(const fit::WangFit& f) {
   for (const auto& u : f.unloading)
     words += fmt::format("  {:<17.4g}  {:<7.4g}  {:<7.4g}  {:<11.4g}  {:.6f}\n", u.omega_max, u.m, u.n,
                          u.delta_res_m, u.r_squared);
+  if (f.unloading.size() > 1)
+    words += fmt::format("  {:<17}  {:<7.4g}  {:<7.4g}  {:<11}  {:.6f}\n", "together", f.m, f.n, "",
+                         f.unloading_r_squared);
   return words;
 }
 
@@ -61,6 +64,11 @@ std::string wang_json(const press::Curve& curve, const fit::WangFit& f) {
                                  {"n", u.n},
                                  {"delta_res_m", u.delta_res_m},
                                  {"R2", u.r_squared}});
+  if (!f.unloading.empty()) {
+    json["parameters"]["m"] = f.m;
+    json["parameters"]["n"] = f.n;
+    json["error"]["unload_R2"] = f.unloading_r_squared;
+  }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
