@@ -43,10 +43,11 @@ void write_fields(const press::Case& c, const press::Result& result, const Outpu
   core::write_file(folder / "fields.pvd", press::fields_series(result.snapshots));
 }
 
-void write_local(const press::Case& c, const press::LocalResult& result, const OutputFolder& folder) {
+void write_local(const press::Case& c, const press::LocalResult& result, const OutputFolder& folder,
+                 Fields fields) {
   for (const auto& profile : result.profiles)
     core::write_file(folder / press::profile_name(profile), press::profile_csv(profile));
-  if (!result.snapshots.empty()) write_fields(c, result, folder);
+  if (!result.snapshots.empty() && fields == Fields::pictures_and_vtu) write_fields(c, result, folder);
   if (press::loading_end(result.curve)) {
     plot::approach_picture(result, folder / "approach.svg");
     plot::peaks_picture(result, folder / "peaks.svg");
@@ -66,7 +67,7 @@ void write_results(const press::Case& c, const press::LocalResult& result, const
   press::write_curve(result.curve, folder / "curve.csv");
   core::write_file(folder / "case.toml", press::case_text(c));
   const bool local = c.experiment == "local";
-  if (local) write_local(c, result, folder);
+  if (local) write_local(c, result, folder, fields);
   if (!result.snapshots.empty() && !local) {
     plot::zone_map(result.snapshots, fmt::format("{}: where it flows", c.material.name),
                    folder / "zones.svg");

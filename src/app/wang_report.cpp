@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <numbers>
 
 namespace platen::app {
@@ -83,7 +84,13 @@ void draw_wang_fit(const press::Curve& pressed, const fit::WangFit& f, const std
     delta_bar.push_back(omega * x_y);
     F_bar.push_back(F_bar_y * f.F_over_F_y(omega));
   }
-  plot::curve_with_law(curve, delta_bar, F_bar, "wang", file, f.branches);
+  // One m and n for all branches, as the card has it.
+  std::vector<fit::UnloadingFit> branches = f.branches;
+  for (auto& branch : branches) {
+    branch.alpha = f.n;
+    branch.delta_bar_0 = branch.delta_bar_max - x_y * std::pow(branch.F_bar_max / F_bar_y / f.m, 1 / f.n);
+  }
+  plot::curve_with_law(curve, delta_bar, F_bar, "wang", file, branches);
 }
 
 } // namespace platen::app
