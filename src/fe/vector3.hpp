@@ -1,0 +1,76 @@
+#pragma once
+// Vectors and symmetric tensors in space.
+
+#include <array>
+#include <cmath>
+
+namespace platen::fe {
+
+using Vector3 = std::array<double, 3>;
+
+inline Vector3 operator+(const Vector3& a, const Vector3& b) {
+  return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
+}
+inline Vector3 operator-(const Vector3& a, const Vector3& b) {
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
+}
+inline Vector3 operator*(double s, const Vector3& a) { return {s * a[0], s * a[1], s * a[2]}; }
+inline double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+inline Vector3 cross(const Vector3& a, const Vector3& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+inline double norm(const Vector3& a) { return std::sqrt(dot(a, a)); }
+inline Vector3 unit(const Vector3& a) { return 1 / norm(a) * a; }
+
+/// xx, yy, zz, xy, yz, zx.
+using Symmetric3 = std::array<double, 6>;
+
+/// Eigenvalues of a symmetric tensor and unit eigenvectors.
+struct Spectral {
+  std::array<double, 3> value;
+  std::array<Vector3, 3> axis;
+};
+
+/// By Jacobi's rotations, which lose no digits where eigenvalues are close.
+inline Spectral spectral(const Symmetric3& s) {
+  double a[3][3] = {{s[0], s[3], s[5]}, {s[3], s[1], s[4]}, {s[5], s[4], s[2]}};
+  std::array<Vector3, 3> axis{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  constexpr int p_of[3] = {0, 1, 0}, q_of[3] = {1, 2, 2}, r_of[3] = {2, 0, 1};
+  const double scale = std::abs(a[0][0]) + std::abs(a[1][1]) + std::abs(a[2][2]);
+  for (int sweep = 0; sweep < 12; ++sweep) {
+    if (std::abs(a[0][1]) + std::abs(a[1][2]) + std::abs(a[0][2]) <= 1e-17 * scale) break;
+    for (int k = 0; k < 3; ++k) {
+      const int p = p_of[k], q = q_of[k], r = r_of[k];
+      const double off = a[p][q];
+      if (std::abs(off) <= 1e-18 * scale) continue;
+      const double theta = (a[q][q] - a[p][p]) / (2 * off);
+      const double t = std::copysign(1 / (std::abs(theta) + std::sqrt(theta * theta + 1)), theta);
+      const double c = 1 / std::sqrt(t * t + 1), sn = t * c;
+      a[p][p] -= t * off;
+      a[q][q] += t * off;
+      a[p][q] = a[q][p] = 0;
+      const double rp = a[r][p], rq = a[r][q];
+      a[r][p] = a[p][r] = c * rp - sn * rq;
+      a[r][q] = a[q][r] = sn * rp + c * rq;
+      for (int i = 0; i < 3; ++i) {
+        const double vp = axis[p][i], vq = axis[q][i];
+        axis[p][i] = c * vp - sn * vq;
+        axis[q][i] = sn * vp + c * vq;
+      }
+    }
+  }
+  return {{a[0][0], a[1][1], a[2][2]}, axis};
+}
+
+/// The symmetric tensor with these eigenvalues and axes.
+inline Symmetric3 compose(const std::array<double, 3>& value, const std::array<Vector3, 3>& axis) {
+  Symmetric3 s{};
+  for (int A = 0; A < 3; ++A) {
+    const auto& n = axis[A];
+    s[0] += value[A] * n[0] * n[0], s[1] += value[A] * n[1] * n[1], s[2] += value[A] * n[2] * n[2];
+    s[3] += value[A] * n[0] * n[1], s[4] += value[A] * n[1] * n[2], s[5] += value[A] * n[2] * n[0];
+  }
+  return s;
+}
+
+} // namespace platen::fe

@@ -1,0 +1,218 @@
+// The solid in space and the wedges of the sphere that it fills.
+
+#include "fe/hexahedral.hpp"
+#include "fe/sphere_wedge.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+using namespace platen;
+using fe::operator-;
+
+namespace {
+
+fe::HexahedralSolid wedge(const material::Model& model, int elements = 40) {
+  const fe::WedgeMesh mesh = fe::sphere_wedge(fe::Wedge::sixteenth, elements);
+  return {mesh.nodes, mesh.hexes, model};
+}
+
+/// Flattening, shear and random motion of the nodes.
+std::vector<double> deformed(const fe::HexahedralSolid& solid, double noise) {
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<double> random(-noise, noise);
+  std::vector<double> u;
+  for (const auto& [x, y, z] : solid.nodes) {
+    u.push_back(0.06 * x + 0.03 * x * z + random(generator));
+    u.push_back(0.03 * y + 0.02 * x * y + random(generator));
+    u.push_back(-0.1 * z + 0.02 * x * x + random(generator));
+  }
+  return u;
+}
+
+std::vector<material::Zone> zones(const fe::HexahedralSolid& solid) {
+  std::vector<material::Zone> list;
+  for (const auto& point : solid.updates) list.push_back(point.zone);
+  return list;
+}
+
+/// The tangent times a direction.
+std::vector<double> along(const fe::HexahedralSolid& solid, const std::vector<double>& d) {
+  std::vector<double> product(d.size());
+  for (std::size_t e = 0; e < solid.hexes.size(); ++e)
+    for (int j = 0; j < 24; ++j)
+      for (int i = 0; i < 24; ++i)
+        product[3 * solid.hexes[e][i / 3] + i % 3] +=
+            solid.tangent[576 * e + 24 * j + i] * d[3 * solid.hexes[e][j / 3] + j % 3];
+  return product;
+}
+
+/// Largest error of the tangent, along random directions, against fourth-order differences of the forces,
+/// over its largest entry.
+double tangent_error(fe::HexahedralSolid& solid, const std::vector<double>& u, double h) {
+  EXPECT_EQ(solid.evaluate(u), fe::Evaluation::done);
+  solid.linearise();
+  const auto zones_here = zones(solid);
+  double error = 0, scale = 0;
+  int compared = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::mt19937 generator(seed);
+    std::normal_distribution<double> random;
+    std::vector<double> d(u.size()), slope(u.size());
+    for (double& x : d) x = random(generator);
+    const auto exact = along(solid, d);
+    bool smooth = true;
+    for (const auto& [step, weight] : {std::pair{-2.0, 1.0}, {-1.0, -8.0}, {1.0, 8.0}, {2.0, -1.0}}) {
+      auto x = u;
+      for (std::size_t i = 0; i < x.size(); ++i) x[i] += step * h * d[i];
+      EXPECT_EQ(solid.evaluate(x), fe::Evaluation::done);
+      for (std::size_t i = 0; i < x.size(); ++i) slope[i] += weight * solid.force[i] / (12 * h);
+      smooth = smooth && zones(solid) == zones_here;
+    }
+    if (!smooth) continue;
+    ++compared;
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      error = std::max(error, std::abs(slope[i] - exact[i]));
+      scale = std::max(scale, std::abs(exact[i]));
+    }
+  }
+  EXPECT_GT(compared, 8);
+  return error / scale;
+}
+
+double total(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double v : values) sum += v;
+  return sum;
+}
+
+} // namespace
+
+TEST(SphereWedge, FillsItsShareOfTheSphere) {
+  for (const fe::Wedge kind : {fe::Wedge::octant, fe::Wedge::sixteenth, fe::Wedge::forty_eighth})
+    for (const int elements : {300, 1300, 6000}) {
+      const fe::WedgeMesh mesh = fe::sphere_wedge(kind, elements);
+      const fe::HexahedralSolid solid(mesh.nodes, mesh.hexes, material::Elastic{1, 0.3});
+      const auto group = fe::copies(mesh);
+      EXPECT_EQ(group.size(), kind == fe::Wedge::octant ? 8 : kind == fe::Wedge::sixteenth ? 16 : 48);
+      EXPECT_NEAR(static_cast<double>(mesh.hexes.size()), elements, 0.25 * elements);
+      const double volume = total(solid.volume) * static_cast<double>(group.size());
+      EXPECT_NEAR(volume / (4 * std::numbers::pi / 3), 1, 1.4 / std::pow(elements, 2.0 / 3));
+      for (const double v : solid.volume) EXPECT_GT(v, 0);
+      const std::vector<double> still(3 * mesh.nodes.size(), 0.0);
+      EXPECT_GT(fe::quality(mesh, still).least, 0.35);
+      EXPECT_GT(fe::quality(mesh, still).mean, 0.8);
+    }
+}
+
+TEST(SphereWedge, SurfaceIsOnTheSphereAndMirrorsOnTheirPlanes) {
+  for (const fe::Wedge kind : {fe::Wedge::octant, fe::Wedge::sixteenth, fe::Wedge::forty_eighth}) {
+    const fe::WedgeMesh mesh = fe::sphere_wedge(kind, 1300);
+    double area = 0;
+    for (const auto& face : mesh.surface) {
+      fe::Vector3 x[4];
+      for (int k = 0; k < 4; ++k) {
+        x[k] = mesh.nodes[face[k]];
+        EXPECT_NEAR(fe::norm(x[k]), 1, 1e-14);
+      }
+      const auto normal = fe::cross(x[2] - x[0], x[3] - x[1]);
+      EXPECT_GT(fe::dot(normal, x[0]), 0);
+      area += fe::norm(normal) / 2;
+    }
+    EXPECT_NEAR(area * static_cast<double>(fe::copies(mesh).size()) / (4 * std::numbers::pi), 1, 0.015);
+    for (std::size_t m = 0; m < mesh.mirrors.size(); ++m) {
+      EXPECT_GT(mesh.on_mirror[m].size(), 20u);
+      for (const int node : mesh.on_mirror[m])
+        EXPECT_NEAR(fe::dot(mesh.nodes[node], mesh.mirrors[m]), 0, 1e-16);
+    }
+    // Every face that only one element has lies on the sphere or on a mirror.
+    std::vector<int> mirrored(mesh.nodes.size(), 0);
+    for (const auto& list : mesh.on_mirror)
+      for (const int node : list) mirrored[node] = 1;
+    for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
+      if (!mirrored[i] && fe::norm(mesh.nodes[i]) < 1 - 1e-9) {
+        int cells = 0;
+        for (const auto& hex : mesh.hexes) cells += std::count(hex.begin(), hex.end(), static_cast<int>(i));
+        EXPECT_TRUE(cells == 8 || cells == 4 || cells == 6) << cells;
+      }
+  }
+}
+
+TEST(HexahedralSolid, ElasticTangentMatchesDifferencesAndIsSymmetric) {
+  auto solid = wedge(material::Elastic{1, 0.3});
+  EXPECT_LT(tangent_error(solid, deformed(solid, 1e-3), 1e-5), 1e-7);
+  for (std::size_t e = 0; e < solid.hexes.size(); ++e)
+    for (int i = 0; i < 24; ++i)
+      for (int j = 0; j < i; ++j)
+        EXPECT_NEAR(solid.tangent[576 * e + 24 * j + i], solid.tangent[576 * e + 24 * i + j], 1e-12);
+}
+
+TEST(HexahedralSolid, PlasticTangentMatchesDifferences) {
+  for (const material::Model& model :
+       {material::Model(material::VonMises{100, 0.3, 1}),
+        material::Model(material::VonMises{100, 0.3, 1, material::Ludwik{3, 0.35}}),
+        material::Model(material::DruckerPrager{100, 0.2, 30, 1, 20}),
+        material::Model(material::Vmdc{0.7, 1, 100, 0.3, 1, 0.1, 0.7, 10, 7.5, 10, 10, 0.4, 1.5})}) {
+    auto solid = wedge(model);
+    // A plastic state first, then a further increment, so that C_p is no identity.
+    auto u = deformed(solid, 1e-3);
+    ASSERT_EQ(solid.evaluate(u), fe::Evaluation::done);
+    for (int i = 0; i < solid.points(); ++i) solid.committed[i] = solid.updated(i);
+    for (double& x : u) x *= 1.15;
+    EXPECT_LT(tangent_error(solid, u, 1e-6), 1e-6) << model.index();
+  }
+}
+
+TEST(HexahedralSolid, UniformDeformationIsExactInAnyFrame) {
+  // Patch test: a stretch, turned by a rotation about (1, 1, 1).
+  auto solid = wedge(material::Elastic{1, 0.3});
+  const fe::Vector3 stretch{1.1, 1.1, 0.8};
+  constexpr int cyclic[3] = {1, 2, 0}; // x to y, y to z, z to x
+  std::vector<double> u(3 * solid.nodes.size());
+  for (std::size_t i = 0; i < solid.nodes.size(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      u[3 * i + cyclic[k]] += stretch[k] * solid.nodes[i][k];
+      u[3 * i + k] -= solid.nodes[i][k];
+    }
+  ASSERT_EQ(solid.evaluate(u), fe::Evaluation::done);
+  const double e_r = std::log(1.1), e_z = std::log(0.8), v = 2 * e_r + e_z;
+  const double K = 1 / (3 * 0.4), G = 1 / 2.6, J = 1.1 * 1.1 * 0.8;
+  for (int i = 0; i < solid.points(); ++i) {
+    const auto sigma = solid.cauchy(i);
+    EXPECT_NEAR(sigma[0], (K * v + 2 * G * (e_z - v / 3)) / J, 1e-12); // z went to x
+    EXPECT_NEAR(sigma[1], (K * v + 2 * G * (e_r - v / 3)) / J, 1e-12);
+    EXPECT_NEAR(sigma[2], (K * v + 2 * G * (e_r - v / 3)) / J, 1e-12);
+    for (const int shear : {3, 4, 5}) EXPECT_NEAR(sigma[shear], 0, 1e-12);
+  }
+}
+
+TEST(HexahedralSolid, ForcesAreTheDerivativeOfTheStoredEnergy) {
+  auto solid = wedge(material::Elastic{1, 0.3});
+  const auto u = deformed(solid, 1e-3);
+  const auto energy = [&](const std::vector<double>& x) {
+    EXPECT_EQ(solid.evaluate(x), fe::Evaluation::done);
+    double sum = 0;
+    for (int i = 0; i < solid.points(); ++i)
+      sum += solid.volume[i] *
+             material::stored_energy(solid.model, material::invariants(solid.updates[i].eps), 0);
+    return sum;
+  };
+  ASSERT_EQ(solid.evaluate(u), fe::Evaluation::done);
+  const auto force = solid.force;
+  for (std::size_t i = 0; i < u.size(); i += 7) {
+    auto x = u, y = u;
+    x[i] += 1e-6;
+    y[i] -= 1e-6;
+    EXPECT_NEAR((energy(x) - energy(y)) / 2e-6, force[i], 1e-8);
+  }
+}
+
+TEST(HexahedralSolid, SaysWhenAnElementTurnsInsideOut) {
+  auto solid = wedge(material::Elastic{1, 0.3});
+  std::vector<double> u(3 * solid.nodes.size());
+  for (std::size_t i = 0; i < solid.nodes.size(); ++i) u[3 * i + 2] = -1.5 * solid.nodes[i][2];
+  EXPECT_EQ(solid.evaluate(u), fe::Evaluation::inverted_element);
+}
