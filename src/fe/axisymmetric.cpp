@@ -1,17 +1,13 @@
 #include "fe/axisymmetric.hpp"
 
+#include "fe/stopwatch.hpp"
+
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
 namespace platen::fe {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 constexpr double gauss = 0.57735026918962576451; // 1/sqrt(3)
 constexpr std::array<std::array<double, 2>, 4> corners{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
@@ -62,26 +58,26 @@ std::array<int, 8> AxisymmetricSolid::unknowns_of(int element) const {
 }
 
 Evaluation AxisymmetricSolid::evaluate(std::span<const double> u) {
-  auto start = Clock::now();
-  if (!deform(u)) return Evaluation::inverted_element;
-  times.assembly_s += seconds_since(start);
-  start = Clock::now();
-  const auto batch = material::update(model, eps_trial, phi_n, updates);
-  counts.plastic += batch.plastic;
-  counts.bracketed += batch.bracketed;
-  counts.refused += batch.refused;
-  times.material_s += seconds_since(start);
-  if (batch.refused > 0) return Evaluation::refused_material;
-  start = Clock::now();
+  {
+    Stopwatch watch(times.assembly_s);
+    if (!deform(u)) return Evaluation::inverted_element;
+  }
+  {
+    Stopwatch watch(times.material_s);
+    const auto batch = material::update(model, eps_trial, phi_n, updates);
+    counts.plastic += batch.plastic;
+    counts.bracketed += batch.bracketed;
+    counts.refused += batch.refused;
+    if (batch.refused > 0) return Evaluation::refused_material;
+  }
+  Stopwatch watch(times.assembly_s);
   assemble_forces();
-  times.assembly_s += seconds_since(start);
   return Evaluation::done;
 }
 
 void AxisymmetricSolid::linearise() {
-  const auto start = Clock::now();
+  Stopwatch watch(times.assembly_s);
   for (int e = 0; e < static_cast<int>(mesh.quads.size()); ++e) assemble_tangent(e);
-  times.assembly_s += seconds_since(start);
 }
 
 /// Deformation gradients, mean dilatations and trial strains.

@@ -1,9 +1,9 @@
 #include "fe/plane_contact.hpp"
 
+#include "fe/stopwatch.hpp"
+
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
@@ -11,12 +11,6 @@
 namespace platen::fe {
 namespace {
 
-/// The residual may grow while zones and contacts settle, but not beyond this.
-constexpr double diverged = 1e3;
-/// Line search: the share of the work of the residual that a correction may leave, and how often it is
-/// shortened.
-constexpr double slope_left = 0.5;
-constexpr int searches_max = 3;
 // Gauss-Legendre with 8 points on [-1, 1]: Abramowitz & Stegun, table 25.4.
 constexpr std::array<double, 8> gauss_x{-0.960289856497536232, -0.796666477413626740, -0.525532409916328986,
                                         -0.183434642495649805, 0.183434642495649805,  0.525532409916328986,
@@ -24,19 +18,6 @@ constexpr std::array<double, 8> gauss_x{-0.960289856497536232, -0.79666647741362
 constexpr std::array<double, 8> gauss_w{0.101228536290376259, 0.222381034453374471, 0.313706645877887287,
                                         0.362683783378361983, 0.362683783378361983, 0.313706645877887287,
                                         0.222381034453374471, 0.101228536290376259};
-
-struct Stopwatch {
-  double& into;
-  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-  explicit Stopwatch(double& seconds) : into(seconds) {}
-  ~Stopwatch() { into += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); }
-};
-
-double dot(const std::vector<double>& a, const std::vector<double>& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-  return sum;
-}
 
 std::vector<std::vector<int>> element_unknowns(const AxisymmetricSolid& solid) {
   std::vector<std::vector<int>> lists;
@@ -144,10 +125,8 @@ Evaluation PlaneContact::evaluate(const std::vector<double>& x, Residual& residu
     (fixed[i] ? reaction : free) += solid.force[i] * solid.force[i];
     if (fixed[i]) solid.force[i] = 0;
   }
-  // Reactions so small that the rounding of the strains would be a larger residual count as larger.
-  const double rounding = 20 * std::numeric_limits<double>::epsilon() * material::initial_E(solid.model);
-  const double least = rounding / settings.relative_residual_tolerance;
-  residual.relative = std::sqrt(free / std::max(reaction, least * least));
+  residual.force = solid.force;
+  residual.relative = relative_residual(solid.model, settings, free, reaction);
   return std::isfinite(residual.relative) ? Evaluation::done : Evaluation::inverted_element;
 }
 
@@ -171,6 +150,11 @@ bool PlaneContact::linearise(const Residual& residual) {
   return solver.factorise(solid.tangent);
 }
 
+void PlaneContact::solve_linear(std::span<double> x) {
+  Stopwatch watch(solid.times.solve_s);
+  solver.solve(x);
+}
+
 StepReport PlaneContact::solve(double height_, std::vector<double> x) {
   if (const Contact c = contact(); c.radius > 0) {
     pressure_scale = std::max(pressure_scale, c.force / (std::numbers::pi * c.radius * c.radius));
@@ -178,54 +162,9 @@ StepReport PlaneContact::solve(double height_, std::vector<double> x) {
   }
   const double height_before = height;
   height = height_;
-  StepReport report;
-  const auto give_up = [&](const char* why) {
-    report.why = why;
-    height = height_before;
-    return report;
-  };
-  std::vector<material::Zone> zones(solid.points());
-  std::vector<char> touched;
-  std::vector<double> correction(x.size());
-  Residual residual;
-  double slope_0 = 0; // work of the residual on the correction, before it
-  for (;; ++report.iterations) {
-    Evaluation evaluation = evaluate(x, residual);
-    double fraction = 1;
-    for (int search = 0; report.iterations > 0 && search < searches_max; ++search) {
-      const bool failed = evaluation != Evaluation::done;
-      const double slope = failed ? 0 : -dot(correction, solid.force);
-      if (!failed && (std::abs(slope) <= slope_left * std::abs(slope_0) || slope > 0)) break;
-      const double next = fraction * (failed ? 0.5 : std::clamp(slope_0 / (slope_0 - slope), 0.2, 0.8));
-      for (std::size_t i = 0; i < x.size(); ++i) x[i] += (next - fraction) * correction[i];
-      fraction = next;
-      evaluation = evaluate(x, residual);
-    }
-    if (evaluation == Evaluation::inverted_element) return give_up("an element turned inside out");
-    if (evaluation == Evaluation::refused_material) return give_up("the material found no admissible state");
-
-    for (int i = 0; i < solid.points(); ++i) {
-      report.zone_changed |= report.iterations > 0 && zones[i] != solid.updates[i].zone;
-      zones[i] = solid.updates[i].zone;
-    }
-    report.contact_changed |= report.iterations > 0 && residual.touching != touched;
-    touched = residual.touching;
-    report.residuals.push_back(residual.relative);
-    if (residual.relative <= settings.relative_residual_tolerance) break;
-    if (residual.relative > diverged && report.iterations > 3) return give_up("the iteration diverged");
-    if (report.iterations == settings.iterations_max) return give_up("the iteration did not converge");
-
-    if (!linearise(residual)) return give_up("the tangent is singular");
-    for (std::size_t i = 0; i < correction.size(); ++i) correction[i] = -solid.force[i];
-    {
-      Stopwatch watch(solid.times.solve_s);
-      solver.solve(correction);
-    }
-    slope_0 = -dot(correction, solid.force);
-    for (std::size_t i = 0; i < x.size(); ++i) x[i] += correction[i];
-  }
-  report.converged = true;
-  u = std::move(x);
+  StepReport report = newton(*this, settings, x);
+  if (report.converged) u = std::move(x);
+  else height = height_before;
   return report;
 }
 

@@ -10,17 +10,12 @@
 // material is so stiff that it springs back by little more than that.
 
 #include "fe/axisymmetric.hpp"
+#include "fe/newton.hpp"
 #include "fe/sparse.hpp"
 
-#include <string>
 #include <vector>
 
 namespace platen::fe {
-
-struct NewtonSettings {
-  double relative_residual_tolerance = 1e-5; ///< of the free unknowns, relative to the reactions
-  int iterations_max = 25;
-};
 
 /// How stiff the contact is.
 struct ContactStiffness {
@@ -37,16 +32,6 @@ struct ContactStiffness {
   /// Between its nodes the surface is then a chord at the sphere's mean distance, since the arc would rise
   /// over its chord by more than the penetration, and the pressure come in waves.
   bool uniform = false;
-};
-
-/// One equilibrium.
-struct StepReport {
-  bool converged = false;
-  int iterations = 0;
-  std::string why;               ///< it did not converge
-  std::vector<double> residuals; ///< relative, one an iterate
-  bool contact_changed = false;  ///< of any contact point, after the first iterate
-  bool zone_changed = false;     ///< of any Gauss point, after the first iterate
 };
 
 /// Where the sphere touches the plane.
@@ -69,7 +54,7 @@ struct PressureRing {
   double pressure;     ///< Pa, 0 beyond the contact
 };
 
-class PlaneContact {
+class PlaneContact : Equilibrium {
  public:
   PlaneContact(AxisymmetricSolid&, NewtonSettings, const ContactStiffness& = {});
 
@@ -97,16 +82,14 @@ class PlaneContact {
     double flexibility;     ///< penetration at the pressure scale (R0)
     double least_stiffness; ///< pressure over penetration, where that is stiffer (Pa/R0)
   };
-  struct Residual {
-    double relative;
-    std::vector<char> touching; ///< per contact point
-  };
   double stiffness_of(const EdgePoint&) const;
   double height_above_plane(const EdgePoint&, int edge, const std::vector<double>& x) const;
   double radius(const EdgePoint&, int edge) const;
   void locate_edge(Contact&) const;
-  Evaluation evaluate(const std::vector<double>& x, Residual&);
-  bool linearise(const Residual&);
+  Evaluation evaluate(const std::vector<double>& x, Residual&) override;
+  bool linearise(const Residual&) override;
+  void solve_linear(std::span<double> rhs_to_solution) override;
+  std::span<const material::PointUpdate> updates() const override { return solid.updates; }
 
   AxisymmetricSolid& solid;
   NewtonSettings settings;

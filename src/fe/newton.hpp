@@ -1,0 +1,53 @@
+#pragma once
+// Newton's method for the equilibrium of a solid in contact.
+
+#include "fe/axisymmetric.hpp"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace platen::fe {
+
+struct NewtonSettings {
+  double relative_residual_tolerance = 1e-5; ///< of the free unknowns, relative to the reactions
+  int iterations_max = 25;
+};
+
+/// One equilibrium.
+struct StepReport {
+  bool converged = false;
+  int iterations = 0;
+  std::string why;               ///< it did not converge
+  std::vector<double> residuals; ///< relative, one an iterate
+  bool contact_changed = false;  ///< of any contact point, after the first iterate
+  bool zone_changed = false;     ///< of any Gauss point, after the first iterate
+};
+
+/// What Newton asks of a solid and what it touches.
+class Equilibrium {
+ public:
+  virtual ~Equilibrium() = default;
+
+  struct Residual {
+    std::span<const double> force; ///< per unknown; 0 where it is fixed
+    double relative = 0;
+    std::vector<char> touching; ///< per contact point
+  };
+  virtual Evaluation evaluate(const std::vector<double>& x, Residual&) = 0;
+  /// Factorises the tangent at the last evaluation. False where it is singular.
+  virtual bool linearise(const Residual&) = 0;
+  /// Replaces the right-hand side by the solution.
+  virtual void solve_linear(std::span<double> rhs_to_solution) = 0;
+  virtual std::span<const material::PointUpdate> updates() const = 0;
+};
+
+/// Reactions so small that the rounding of the strains would be a larger residual count as larger.
+double relative_residual(const material::Model&, const NewtonSettings&, double free_square,
+                         double reaction_square);
+
+/// Solves from the guess in x, with a line search where the work of the residual does not fall. Where the
+/// report says that it did not converge, x is unspecified.
+StepReport newton(Equilibrium&, const NewtonSettings&, std::vector<double>& x);
+
+} // namespace platen::fe
