@@ -30,6 +30,8 @@ enum class Evaluation { done, inverted_element, refused_material };
 
 class AxisymmetricSolid {
  public:
+  using State = PointState;
+
   AxisymmetricSolid(AxisymmetricMesh, material::Model);
 
   int unknowns() const { return 2 * static_cast<int>(mesh.nodes.size()); }

@@ -2,6 +2,7 @@
 
 #include "core/version.hpp"
 #include "fe/contact_grid.hpp"
+#include "press/point_account.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,16 +10,6 @@
 
 namespace platen::press {
 namespace {
-
-double initial_density(const material::Model& model) { return material::relative_density(model, 0); }
-
-/// Invariants of the plastic Hencky strain of a point.
-material::TrialInvariants plastic_strain(const fe::PointState& point) {
-  const auto& [rr, zz, rz, tt] = point.Cp_inv;
-  const double mean = (rr + zz) / 2, radius = std::hypot((rr - zz) / 2, rz);
-  return material::invariants(
-      {-std::log(mean + radius) / 2, -std::log(mean - radius) / 2, -std::log(tt) / 2});
-}
 
 bool is_local(const Case& c) { return c.experiment == "local"; }
 
@@ -47,7 +38,7 @@ SphereRun::SphereRun(const Case& c)
   now.u.assign(solid.unknowns(), 0.0);
   now.change = now.u;
   now.points.resize(solid.points());
-  now.row.rho_r_mean = now.row.rho_r_min = now.row.rho_r_max = initial_density(solid.model);
+  now.row.rho_r_mean = now.row.rho_r_min = now.row.rho_r_max = material::relative_density(solid.model, 0);
 }
 
 void SphereRun::restore(const State& s) {
@@ -64,13 +55,13 @@ fe::StepReport SphereRun::advance(double delta_bar) {
   if (ratio > 0)
     for (std::size_t i = 0; i < guess.size(); ++i) guess[i] += ratio * now.change[i];
   else contact.follow(-step, guess);
-  std::vector<PointFlow> points;
+  std::vector<Flow> points;
   for (std::size_t i = 0; i < now.points.size(); ++i) {
     points.push_back(next_return(now.points[i], now.delta_bar, delta_bar));
     solid.committed[i] = points[i].start;
   }
   fe::StepReport report = contact.solve(1 - delta_bar, std::move(guess));
-  count(report);
+  count(report, counted);
   if (!report.converged) return report;
   for (std::size_t i = 0; i < now.u.size(); ++i) now.change[i] = contact.u[i] - now.u[i];
   now.step = step;
@@ -90,7 +81,7 @@ double SphereRun::far_field(const CurvePoint& row) const {
 }
 
 /// The row of the curve at the new equilibrium.
-void SphereRun::account(double delta_bar, int iterations, std::vector<PointFlow>& points) {
+void SphereRun::account(double delta_bar, int iterations, std::vector<Flow>& points) {
   const double R = radius_m, R2 = R * R, R3 = R2 * R;
   const fe::Contact c = contact.contact();
   const CurvePoint before = now.row;
@@ -107,89 +98,15 @@ void SphereRun::account(double delta_bar, int iterations, std::vector<PointFlow>
   row.equator_displacement_m = contact.u[2 * solid.mesh.surface.back()] * R;
   row.work_J = before.work_J + (before.force_N + row.force_N) / 2 * (row.delta_m - before.delta_m);
 
-  double reference = 0, unloaded = 0, stored = 0, dissipated = 0;
-  std::array<double, 4> zones{};
-  row.rho_r_min = row.rho_r_max = material::relative_density(solid.model, solid.updates[0].phi);
-  row.sigma_1_max_Pa = row.mises_max_Pa = 0;
-  for (int i = 0; i < solid.points(); ++i) {
-    const material::PointUpdate& point = solid.updates[i];
-    const double V = solid.volume[i];
-    const double J_p = material::plastic_volume_ratio(solid.model, point.phi);
-    reference += V;
-    unloaded += V * J_p;
-    zones[static_cast<int>(point.zone)] += V;
-    const double rho = material::relative_density(solid.model, point.phi);
-    row.rho_r_min = std::min(row.rho_r_min, rho);
-    row.rho_r_max = std::max(row.rho_r_max, rho);
-    row.sigma_1_max_Pa = std::max({row.sigma_1_max_Pa, point.sigma[0], point.sigma[1], point.sigma[2]});
-
-    row.mises_max_Pa = std::max(row.mises_max_Pa, point.q);
-
-    const material::TrialInvariants elastic = material::invariants(point.eps);
-    stored += V * J_p * material::stored_energy(solid.model, elastic, point.phi);
-    dissipated += V * accept(points[i], now.points[i], solid, i);
-  }
-  row.zone_elastic = zones[0] / reference;
-  row.zone_shear = zones[1] / reference;
-  row.zone_compaction = zones[2] / reference;
-  row.zone_tension = zones[3] / reference;
-  row.rho_r_mean = initial_density(solid.model) * reference / unloaded;
-  row.stored_J = (stored + c.energy) * R3;
-  row.dissipated_J = before.dissipated_J + dissipated * R3;
+  const Totals totals = account_points(solid, points, now.points, row);
+  row.stored_J = (totals.stored + c.energy) * R3;
+  row.dissipated_J = before.dissipated_J + totals.dissipated * R3;
   now.row = row;
   now.delta_bar = delta_bar;
 }
 
-void SphereRun::count(const fe::StepReport& report) {
-  counted.iterations += report.iterations;
-  if (!report.converged) {
-    ++counted.cuts;
-    return;
-  }
-  ++counted.steps;
-  if (report.contact_changed || report.zone_changed || report.residuals.size() < 3) return;
-  ++counted.smooth_steps;
-  const auto& r = report.residuals;
-  // r_2/r_0 <= 100 (r_1/r_0)^2, down to rounding.
-  counted.quadratic_steps += r[2] / r[0] <= std::max(100 * (r[1] / r[0]) * (r[1] / r[0]), 1e-12);
-}
-
 Statistics SphereRun::statistics() const {
-  Statistics s = counted;
-  s.material_s = solid.times.material_s;
-  s.assembly_s = solid.times.assembly_s;
-  s.factorisation_s = solid.times.factorisation_s;
-  s.solve_s = solid.times.solve_s;
-  s.elements = static_cast<int>(solid.mesh.quads.size());
-  s.unknowns = solid.unknowns();
-  s.local_continuations = solid.counts.bracketed;
-  return s;
-}
-
-std::vector<std::string> SphereRun::flags() const {
-  double reference = 0, rho_r = 0, nu = 0, epsilon = 0, pi_3 = 0, table = 0;
-  for (int i = 0; i < solid.points(); ++i) {
-    const material::Bounds b = material::active_bounds(solid.model, now.points[i].state.phi);
-    const double V = solid.volume[i];
-    reference += V;
-    rho_r += V * b.rho_r;
-    nu += V * b.nu;
-    epsilon += V * b.epsilon;
-    pi_3 += V * b.pi_3;
-    table += V * b.table;
-  }
-  std::vector<std::string> said;
-  const auto say = [&](double volume, const char* what) {
-    if (volume > 0)
-      said.push_back(std::string(what) + " in " + std::to_string(100 * volume / reference).substr(0, 4) +
-                     " % of the volume at the end of the press");
-  };
-  say(rho_r, "relative density beyond 1, properties held at their values for 1,");
-  say(nu, "Poisson's ratio held in [0, 0.49]");
-  say(epsilon, "axis ratio of the compaction cap held at its minimum 0.05");
-  say(pi_3, "compaction cap centred at p = 0, since epsilon Gamma exceeds sigma_y,");
-  say(table, "strain beyond the end of the hardening table, its last stress held,");
-  return said;
+  return statistics_of(counted, solid, solid.mesh.quads.size(), solid.unknowns());
 }
 
 Snapshot SphereRun::snapshot(Branch branch) const {

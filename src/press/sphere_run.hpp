@@ -3,23 +3,36 @@
 // the curve.
 
 #include "fe/plane_contact.hpp"
-#include "press/midpoint_flow.hpp"
+#include "press/point_account.hpp"
 #include "press/simple.hpp"
 
 #include <vector>
 
 namespace platen::press {
 
+/// Steps of delta_bar. The contact starts as a point, with infinitely many changes of the contact near 0: so
+/// a first step, and the largest in relation to delta_bar.
+struct StepRule {
+  double first, relative_max;
+  double growth;          ///< from one to the next
+  double largest;         ///< over the case's step_max
+  double smallest = 1e-7; ///< below it a step is given up
+};
+
 /// Lengths inside are in units of R0, stresses in Pa.
 class SphereRun {
  public:
+  static constexpr StepRule steps{.first = 1e-4, .relative_max = 0.04, .growth = 1.5, .largest = 1};
+  using Result = press::Result;
+  using Flow = PointFlow<fe::AxisymmetricSolid>;
+
   explicit SphereRun(const Case&);
 
   /// Everything that a branch needs to start again from here.
   struct State {
     double delta_bar = 0, step = 0; ///< step: the last one, whose displacement change is extrapolated
     std::vector<double> u, change;
-    std::vector<PointFlow> points;
+    std::vector<Flow> points;
     CurvePoint row;
   };
   const State& state() const { return now; }
@@ -32,15 +45,15 @@ class SphereRun {
   CurvePoint row(Branch, int branch_id) const;
   double delta_bar() const { return now.delta_bar; }
   Snapshot snapshot(Branch) const;
+  void keep(Result& result, Branch branch) const { result.snapshots.push_back(snapshot(branch)); }
   const fe::PlaneContact& plane() const { return contact; }
   const fe::AxisymmetricSolid& sphere() const { return solid; } ///< holds the evaluation at the last step
   Statistics statistics() const;
-  std::vector<std::string> flags() const;
+  std::vector<std::string> flags() const { return flags_of(solid, now.points); }
 
  private:
-  void account(double delta_bar, int iterations, std::vector<PointFlow>& points);
+  void account(double delta_bar, int iterations, std::vector<Flow>& points);
   double far_field(const CurvePoint&) const;
-  void count(const fe::StepReport&);
 
   const double radius_m, sigma_ref;
   fe::AxisymmetricSolid solid;
