@@ -78,17 +78,29 @@ WedgeContact::WedgeContact(HexahedralSolid& solid_, const WedgeMesh& mesh_, std:
     plane.images = static_cast<int>(group.size()) / plane.wedges;
     for (int f = 0; f < static_cast<int>(mesh.surface.size()); ++f) {
       std::vector<Point> points;
-      double highest = deepest;
+      double highest = deepest, bulge = 0, whole = 0;
       for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j) {
           const auto [X, area] = on_sphere(mesh, mesh.surface[f], gauss_x[i], gauss_x[j]);
+          Point& point = points.emplace_back();
+          point.face = f;
+          point.N = shape(gauss_x[i], gauss_x[j]);
+          point.area = area * gauss_w[i] * gauss_w[j];
+          point.depth = 0;
+          for (int a = 0; a < 4; ++a)
+            point.depth += point.N[a] * depth_under(normal, mesh.nodes[mesh.surface[f][a]]);
           const double depth = depth_under(normal, X),
                        distance = std::max(std::sqrt(2 * depth), stiffness_rule.pole);
-          points.push_back({f, shape(gauss_x[i], gauss_x[j]), depth, area * gauss_w[i] * gauss_w[j],
-                            stiffness_rule.relative_penetration * distance * distance,
-                            stiffness_rule.elastic * E / distance});
+          point.flexibility = stiffness_rule.relative_penetration * distance * distance;
+          point.least_stiffness = stiffness_rule.elastic * E / distance;
           highest = std::min(highest, depth);
+          bulge += point.area * (point.depth - depth);
+          whole += point.area;
         }
+      for (Point& point : points) {
+        point.depth -= bulge / whole;
+        point.misfit = bulge / whole;
+      }
       if (highest < deepest) plane.points.insert(plane.points.end(), points.begin(), points.end());
     }
   }
@@ -161,9 +173,11 @@ std::vector<double> WedgeContact::expand(const std::vector<double>& x) const {
   return displacement;
 }
 
-/// Force over penetration.
+/// Force over penetration: that of fe/plane_contact.hpp, but no stiffer than lets a face take the place of the
+/// sphere over it at the pressure scale.
 double WedgeContact::stiffness_of(const Point& point) const {
-  return std::max(pressure_scale / point.flexibility, point.least_stiffness) * point.area;
+  const double sphere = std::max(pressure_scale / point.flexibility, point.least_stiffness);
+  return std::min(sphere, pressure_scale / point.misfit) * point.area;
 }
 
 double WedgeContact::gap(const Plane& plane, const Point& point,
@@ -260,8 +274,10 @@ void WedgeContact::solve_linear(std::span<double> x) {
 StepReport WedgeContact::solve(const std::vector<double>& heights, std::vector<double> x) {
   std::vector<double> before;
   for (int k = 0; k < static_cast<int>(planes.size()); ++k) {
-    if (const Contact c = contact(k); c.radius > 0)
-      pressure_scale = std::max(pressure_scale, c.force / (std::numbers::pi * c.radius * c.radius));
+    // Contacts of few faces have no area to speak of; Hertz's is the least.
+    const Contact c = contact(k);
+    const double square = std::max(c.radius * c.radius, 1 - planes[k].height);
+    if (square > 0) pressure_scale = std::max(pressure_scale, c.force / (std::numbers::pi * square));
     before.push_back(planes[k].height);
   }
   for (std::size_t k = 0; k < planes.size(); ++k) planes[k].height = heights[k];
@@ -313,12 +329,8 @@ double WedgeContact::touching_area(const Plane& plane, const Point* points,
   for (int i = 0; i < area_cells; ++i)
     for (int j = 0; j < area_cells; ++j) {
       const double xi = (2 * i + 1.0) / area_cells - 1, eta = (2 * j + 1.0) / area_cells - 1;
-      const Point point{points[0].face,
-                        shape(xi, eta),
-                        depth_under(plane.normal, on_sphere(mesh, face, xi, eta).X),
-                        0,
-                        0,
-                        0};
+      Point point{points[0].face, shape(xi, eta), -points[0].misfit, 0, 0, 0, 0};
+      for (int a = 0; a < 4; ++a) point.depth += point.N[a] * depth_under(plane.normal, mesh.nodes[face[a]]);
       if (gap(plane, point, displacement) < 0) area += area_at(xi, eta) * 4 / (area_cells * area_cells);
     }
   return area;

@@ -1,8 +1,11 @@
 #pragma once
 // Equilibrium of a wedge of a sphere on its mirror planes under rigid frictionless planes.
 //
-// The contact is that of fe/plane_contact.hpp, integrated over the faces of the true sphere instead of its
-// edges, and may be with several planes at once. The unknowns are the displacements that the mirrors leave
+// The contact pressure is integrated over the faces of the surface, of which a part can touch, and may be with
+// several planes at once. It is a stiffness times the penetration, as in fe/plane_contact.hpp. A face lies at
+// the mean distance of the sphere over it: faces are so large here that the sphere would rise over their
+// nodes by more than the penetration, and the pressure come in waves.
+// The unknowns are the displacements that the mirrors leave
 // free, each along a direction of its node, so mirrors that are no coordinate planes are exact.
 
 #include "fe/hexahedral.hpp"
@@ -51,10 +54,11 @@ class WedgeContact : Equilibrium {
   struct Point { ///< of the undeformed sphere, facing a plane
     int face;
     std::array<double, 4> N;
-    double depth;           ///< below the pole
+    double depth;           ///< of the facet below the pole
     double area;            ///< R0^2
     double flexibility;     ///< penetration at the pressure scale (R0)
     double least_stiffness; ///< pressure over penetration, where that is stiffer (Pa/R0)
+    double misfit;          ///< mean height of the sphere over the face (R0)
   };
   struct Plane {
     Vector3 normal;

@@ -68,7 +68,7 @@ template <class Run> class PressByOverlap {
 
   /// Unloads a copy of the loaded state until it separates; loads it again to where it came from if wanted.
   void branch() {
-    const SphereRun::State loaded = run.state();
+    const typename Run::State loaded = run.state();
     const double top = run.delta_bar(), force = run.row().force_N;
     const int id = ++branch_id;
     // The first step by the elastic flat punch of the current radius, the others by the slope met.
@@ -144,7 +144,7 @@ template <class Run> class PressByOverlap {
 
   const Case& press_case;
   const Progress& progress;
-  SphereRun run;
+  Run run;
   typename Run::Result result;
   std::vector<double> stops;
   std::vector<CurvePoint> branches;

@@ -19,6 +19,8 @@ struct Case {
   int elements = 5000;             ///< wanted number of elements; the mesh comes close to it
   double step_max = 0.005;         ///< largest step of delta_bar
   std::vector<double> fields_at;   ///< delta_bar at which fields are kept, ascending
+  // The triaxial press goes from waypoint to waypoint; no list, no plane.
+  std::vector<double> delta_bar_z, delta_bar_x, delta_bar_y; ///< delta/R0 along z, x, y
   // The local press goes by force as well, and ends at whichever of force_max_N and delta_bar_max is met
   // first.
   double force_max_N = 100;          ///< largest force; may be infinite

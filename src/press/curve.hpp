@@ -29,6 +29,11 @@ struct CurvePoint {
   double hertz_delta_m = 0; ///< delta with the far field of the finite sphere taken out: Hertz's
   double mises_max_Pa = 0;  ///< largest von Mises stress at a Gauss point
   int iterations = 0;
+  // Of a confined press: planes along x and y, each a whole plane; and the cell between the planes.
+  double delta_x_m = 0, force_x_N = 0, contact_radius_x_m = 0, mean_pressure_x_Pa = 0, peak_pressure_x_Pa = 0;
+  double delta_y_m = 0, force_y_N = 0, contact_radius_y_m = 0, mean_pressure_y_Pa = 0, peak_pressure_y_Pa = 0;
+  double cell_filling = 0; ///< volume of the undeformed particle over that of the cell; 0: no closed cell
+  double mesh_quality = 0; ///< least scaled Jacobian
 };
 
 /// A curve with what is needed to read it.

@@ -50,6 +50,35 @@ constexpr std::array columns = {
     Column{"hertz_delta_m", &P::hertz_delta_m},
     Column{"mises_max_Pa", &P::mises_max_Pa},
 };
+/// Of confined presses, behind the others.
+constexpr std::array cell_columns = {
+    Column{"cell_filling", &P::cell_filling},
+    Column{"mesh_quality", &P::mesh_quality},
+};
+constexpr std::array x_columns = {
+    Column{"delta_x_m", &P::delta_x_m},
+    Column{"force_x_N", &P::force_x_N},
+    Column{"contact_radius_x_m", &P::contact_radius_x_m},
+    Column{"mean_pressure_x_Pa", &P::mean_pressure_x_Pa},
+    Column{"peak_pressure_x_Pa", &P::peak_pressure_x_Pa},
+};
+constexpr std::array y_columns = {
+    Column{"delta_y_m", &P::delta_y_m},
+    Column{"force_y_N", &P::force_y_N},
+    Column{"contact_radius_y_m", &P::contact_radius_y_m},
+    Column{"mean_pressure_y_Pa", &P::mean_pressure_y_Pa},
+    Column{"peak_pressure_y_Pa", &P::peak_pressure_y_Pa},
+};
+
+/// Hydrostatic planes are all alike, and those of the die's walls too.
+std::vector<Column> columns_of(std::string_view experiment) {
+  std::vector<Column> list(columns.begin(), columns.end());
+  const auto append = [&](const auto& more) { list.insert(list.end(), more.begin(), more.end()); };
+  if (experiment == "die" || experiment == "hydrostatic" || experiment == "triaxial") append(cell_columns);
+  if (experiment == "die" || experiment == "triaxial") append(x_columns);
+  if (experiment == "triaxial") append(y_columns);
+  return list;
+}
 
 constexpr std::array<std::string_view, 3> branches = {"loading", "unloading", "reloading"};
 
@@ -130,14 +159,15 @@ std::string curve_csv(const Curve& curve) {
   if (curve.sigma_c_Pa > 0)
     text += fmt::format("# phi_deg = {}\n# sigma_c_Pa = {}\n", core::number_text(curve.phi_deg),
                         core::number_text(curve.sigma_c_Pa));
-  for (const auto& column : columns) {
-    if (&column != columns.begin()) text += ',';
+  const auto written = columns_of(curve.experiment);
+  for (const auto& column : written) {
+    if (&column != written.data()) text += ',';
     text += column.name;
   }
   text += '\n';
   for (const auto& point : curve.points) {
-    for (const auto& column : columns) {
-      if (&column != columns.begin()) text += ',';
+    for (const auto& column : written) {
+      if (&column != written.data()) text += ',';
       text += std::visit(CellText{point}, column.member);
     }
     text += '\n';
@@ -163,15 +193,15 @@ Curve parse_curve(const std::string& text, const std::string& file, std::optiona
   Curve curve;
   read_notes(curve, csv, radius_m);
   struct Found {
-    const Column* column;
+    Column column;
     std::size_t index;
   };
   std::vector<Found> found;
-  for (const auto& column : columns)
-    if (csv.has_column(column.name)) found.push_back({&column, csv.column(column.name)});
+  for (const auto& column : columns_of("triaxial"))
+    if (csv.has_column(column.name)) found.push_back({column, csv.column(column.name)});
   for (const auto& row : csv.rows) {
     CurvePoint point;
-    for (const auto& [column, index] : found) std::visit(ReadCell{point, csv, row, index}, column->member);
+    for (const auto& [column, index] : found) std::visit(ReadCell{point, csv, row, index}, column.member);
     point.delta_bar = point.delta_m / curve.radius_m;
     if (!std::isfinite(point.delta_bar))
       throw core::InvalidInput(fmt::format("{}, line {}: delta_m is not within reach of radius_m = {}", file,
