@@ -69,7 +69,7 @@ StepReport newton(Equilibrium& system, const NewtonSettings& settings, std::vect
 
     if (!system.linearise(residual)) return give_up("the tangent is singular");
     for (std::size_t i = 0; i < correction.size(); ++i) correction[i] = -residual.force[i];
-    system.solve_linear(correction);
+    if (!system.solve_linear(correction)) return give_up("the tangent is singular");
     slope_0 = -work(correction, residual.force);
     for (std::size_t i = 0; i < x.size(); ++i) x[i] += correction[i];
   }

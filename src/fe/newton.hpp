@@ -37,8 +37,8 @@ class Equilibrium {
   virtual Evaluation evaluate(const std::vector<double>& x, Residual&) = 0;
   /// Factorises the tangent at the last evaluation. False where it is singular.
   virtual bool linearise(const Residual&) = 0;
-  /// Replaces the right-hand side by the solution.
-  virtual void solve_linear(std::span<double> rhs_to_solution) = 0;
+  /// Replaces the right-hand side by the solution. False where the tangent is singular.
+  virtual bool solve_linear(std::span<double> rhs_to_solution) = 0;
   virtual std::span<const material::PointUpdate> updates() const = 0;
 };
 

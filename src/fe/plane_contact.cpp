@@ -150,9 +150,10 @@ bool PlaneContact::linearise(const Residual& residual) {
   return solver.factorise(solid.tangent);
 }
 
-void PlaneContact::solve_linear(std::span<double> x) {
+bool PlaneContact::solve_linear(std::span<double> x) {
   Stopwatch watch(solid.times.solve_s);
   solver.solve(x);
+  return true;
 }
 
 StepReport PlaneContact::solve(double height_, std::vector<double> x) {

@@ -88,7 +88,7 @@ class PlaneContact : Equilibrium {
   void locate_edge(Contact&) const;
   Evaluation evaluate(const std::vector<double>& x, Residual&) override;
   bool linearise(const Residual&) override;
-  void solve_linear(std::span<double> rhs_to_solution) override;
+  bool solve_linear(std::span<double> rhs_to_solution) override;
   std::span<const material::PointUpdate> updates() const override { return solid.updates; }
 
   AxisymmetricSolid& solid;

@@ -54,8 +54,8 @@ DirectSolver::DirectSolver(int unknowns, std::span<const std::vector<int>> eleme
   m.id.icntl[4] = 1;                                           // element matrices
   m.id.icntl[5] = m.id.icntl[7] = 0;                           // no permutation, no scaling
   m.id.icntl[6] = ordering(unknowns, largest);
-  m.id.icntl[9] = 0;                                           // no iterative refinement
-  m.id.icntl[13] = 40;                                         // % of workspace to spare for pivoting
+  m.id.icntl[9] = 0;   // no iterative refinement
+  m.id.icntl[13] = 40; // % of workspace to spare for pivoting
   m.id.n = unknowns;
   m.id.nelt = static_cast<MUMPS_INT>(element_unknowns.size());
   m.id.eltptr = m.start.data();

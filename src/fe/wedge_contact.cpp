@@ -18,9 +18,6 @@ constexpr std::array<double, 4> gauss_w{0.347854845137453857, 0.6521451548625461
                                         0.347854845137453857};
 /// Faces whose points all lie deeper than this under a pole never touch its plane (R0).
 constexpr double deepest = 1;
-/// Cells by which the area of a face in partial contact is measured, along each side.
-constexpr int area_cells = 12;
-
 constexpr std::array<std::array<double, 2>, 4> corners{{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
 
 std::array<double, 4> shape(double xi, double eta) {
@@ -162,7 +159,7 @@ void WedgeContact::number_unknowns() {
     entries += list.size() * list.size();
   }
   matrices.assign(entries, 0.0);
-  solver = std::make_unique<DirectSolver>(unknown, lists, Symmetry::unsymmetric);
+  solver = std::make_unique<LaggedSolver>(unknown, std::move(lists), Symmetry::unsymmetric);
 }
 
 std::vector<double> WedgeContact::expand(const std::vector<double>& x) const {
@@ -173,8 +170,8 @@ std::vector<double> WedgeContact::expand(const std::vector<double>& x) const {
   return displacement;
 }
 
-/// Force over penetration: that of fe/plane_contact.hpp, but no stiffer than lets a face take the place of the
-/// sphere over it at the pressure scale.
+/// Force over penetration: that of fe/plane_contact.hpp, but no stiffer than lets a face take the place of
+/// the sphere over it at the pressure scale.
 double WedgeContact::stiffness_of(const Point& point) const {
   const double sphere = std::max(pressure_scale / point.flexibility, point.least_stiffness);
   return std::min(sphere, pressure_scale / point.misfit) * point.area;
@@ -236,8 +233,9 @@ bool WedgeContact::linearise(const Residual& residual) {
     Stopwatch watch(solid.times.assembly_s);
     reduce();
   }
-  Stopwatch watch(solid.times.factorisation_s);
-  return solver->factorise(matrices);
+  const bool regular = solver->matrix(matrices);
+  solid.times.factorisation_s = solver->factorisation_s;
+  return regular;
 }
 
 /// The element matrices of the unknowns.
@@ -266,9 +264,13 @@ void WedgeContact::reduce() {
   }
 }
 
-void WedgeContact::solve_linear(std::span<double> x) {
+bool WedgeContact::solve_linear(std::span<double> x) {
+  const double factorised_s = solver->factorisation_s;
   Stopwatch watch(solid.times.solve_s);
-  solver->solve(x);
+  const bool regular = solver->solve(x);
+  solid.times.factorisation_s = solver->factorisation_s;
+  solid.times.solve_s -= solver->factorisation_s - factorised_s;
+  return regular;
 }
 
 StepReport WedgeContact::solve(const std::vector<double>& heights, std::vector<double> x) {
@@ -303,78 +305,56 @@ void WedgeContact::follow(const std::vector<double>& rise, std::vector<double>& 
   }
 }
 
-/// Of a face as it lies now, seen along the plane's normal: what of it penetrates.
-double WedgeContact::touching_area(const Plane& plane, const Point* points,
-                                   const std::vector<double>& displacement) const {
-  int touching = 0;
-  for (int i = 0; i < points_per_face; ++i) touching += gap(plane, points[i], displacement) < 0;
-  if (touching == 0) return 0;
-  const auto& face = mesh.surface[points[0].face];
-  Vector3 x[4];
-  for (int a = 0; a < 4; ++a) x[a] = mesh.nodes[face[a]] + of_node(displacement, face[a]);
-  const auto area_at = [&](double xi, double eta) { // per unit of xi and eta
-    Vector3 x_xi{}, x_eta{};
-    for (int a = 0; a < 4; ++a) {
-      x_xi = x_xi + corners[a][0] * (1 + eta * corners[a][1]) / 4 * x[a];
-      x_eta = x_eta + (1 + xi * corners[a][0]) * corners[a][1] / 4 * x[a];
-    }
-    return std::abs(dot(cross(x_xi, x_eta), plane.normal));
-  };
-  double area = 0;
-  if (touching == points_per_face) {
-    for (const double xi : {-1 / std::numbers::sqrt3, 1 / std::numbers::sqrt3})
-      for (const double eta : {-1 / std::numbers::sqrt3, 1 / std::numbers::sqrt3}) area += area_at(xi, eta);
-    return area;
-  }
-  for (int i = 0; i < area_cells; ++i)
-    for (int j = 0; j < area_cells; ++j) {
-      const double xi = (2 * i + 1.0) / area_cells - 1, eta = (2 * j + 1.0) / area_cells - 1;
-      Point point{points[0].face, shape(xi, eta), -points[0].misfit, 0, 0, 0, 0};
-      for (int a = 0; a < 4; ++a) point.depth += point.N[a] * depth_under(plane.normal, mesh.nodes[face[a]]);
-      if (gap(plane, point, displacement) < 0) area += area_at(xi, eta) * 4 / (area_cells * area_cells);
-    }
-  return area;
-}
-
-Contact WedgeContact::contact(int k) const {
+std::vector<FacePressure> WedgeContact::pressures(int k) const {
   const Plane& plane = planes[k];
   const std::vector<double> displacement = displacements();
-  Contact c;
-  double area = 0;
+  std::vector<FacePressure> list;
   for (std::size_t first = 0; first < plane.points.size(); first += points_per_face) {
-    double force = 0;
+    double force = 0, energy = 0;
     for (std::size_t i = first; i < first + points_per_face; ++i) {
-      const double distance = gap(plane, plane.points[i], displacement);
-      if (!(distance < 0)) continue;
-      const double stiffness = stiffness_of(plane.points[i]);
-      force -= stiffness * distance;
-      c.energy += stiffness * distance * distance / 2;
+      const double distance = std::min(gap(plane, plane.points[i], displacement), 0.0);
+      force -= stiffness_of(plane.points[i]) * distance;
+      energy += stiffness_of(plane.points[i]) * distance * distance / 2;
     }
     if (!(force > 0)) continue;
-    const double touching = touching_area(plane, &plane.points[first], displacement);
-    c.force += force;
-    area += touching;
-    if (touching > 0) c.peak_pressure = std::max(c.peak_pressure, force / touching);
+    const int f = plane.points[first].face;
+    Vector3 x[4];
+    for (int a = 0; a < 4; ++a)
+      x[a] = mesh.nodes[mesh.surface[f][a]] + of_node(displacement, mesh.surface[f][a]);
+    const double area = std::abs(dot(cross(x[2] - x[0], x[3] - x[1]), plane.normal)) / 2;
+    if (area > 0) list.push_back({f, force / area, area, energy});
   }
-  c.force *= plane.wedges;
-  c.energy *= plane.wedges;
-  c.radius = std::sqrt(plane.wedges * area / std::numbers::pi);
-  return c;
+  return list;
 }
 
-std::vector<FacePressure> WedgeContact::pressures() const {
-  const std::vector<double> displacement = displacements();
-  std::vector<FacePressure> list;
-  for (int k = 0; k < static_cast<int>(planes.size()); ++k)
-    for (std::size_t first = 0; first < planes[k].points.size(); first += points_per_face) {
-      double force = 0;
-      for (std::size_t i = first; i < first + points_per_face; ++i)
-        force -= stiffness_of(planes[k].points[i]) *
-                 std::min(gap(planes[k], planes[k].points[i], displacement), 0.0);
-      const double area = touching_area(planes[k], &planes[k].points[first], displacement);
-      if (force > 0 && area > 0) list.push_back({k, planes[k].points[first].face, force / area});
-    }
-  return list;
+// The area is not that of the faces in contact: a face across the contact edge is tilted, lies on the plane
+// with its inner side alone, and the radius would be half a face too small. But A is what spreads the force
+// over the pressures found: with a profile p = p_0 (1 - s)^beta, s the share of the area outside which p is
+// larger, int p^n dA = A p_0^n/(n beta + 1), so that
+//   A = (int p)^2/int p^2 (beta + 1)^2/(2 beta + 1),   int p int p^3/(int p^2)^2 = (2 beta + 1)^2/((beta +
+//   1)(3 beta + 1)),
+// whatever the shape of the contact. beta is 0 for an even pressure and 1/2 for Hertz's, the most peaked.
+Contact WedgeContact::contact(int k) const {
+  Contact c;
+  double square = 0, cube = 0;
+  for (const FacePressure& f : pressures(k)) {
+    const double force = f.pressure * f.area;
+    c.force += force;
+    square += force * f.pressure;
+    cube += force * f.pressure * f.pressure;
+    c.energy += f.energy;
+    c.peak_pressure = std::max(c.peak_pressure, f.pressure);
+  }
+  if (!(c.force > 0)) return c;
+  const double ratio = std::max(c.force * cube / (square * square), 1.0);
+  const double a = 4 - 3 * ratio, b = 4 * (ratio - 1);
+  const double beta = a > 0 ? std::min((b + std::sqrt(b * b + a * b)) / (2 * a), 0.5) : 0.5;
+  const double area = c.force * c.force / square * (beta + 1) * (beta + 1) / (2 * beta + 1);
+  const int wedges = planes[k].wedges;
+  c.force *= wedges;
+  c.energy *= wedges;
+  c.radius = std::sqrt(wedges * area / std::numbers::pi);
+  return c;
 }
 
 } // namespace platen::fe

@@ -1,14 +1,15 @@
 #pragma once
 // Equilibrium of a wedge of a sphere on its mirror planes under rigid frictionless planes.
 //
-// The contact pressure is integrated over the faces of the surface, of which a part can touch, and may be with
-// several planes at once. It is a stiffness times the penetration, as in fe/plane_contact.hpp. A face lies at
-// the mean distance of the sphere over it: faces are so large here that the sphere would rise over their
-// nodes by more than the penetration, and the pressure come in waves.
-// The unknowns are the displacements that the mirrors leave
-// free, each along a direction of its node, so mirrors that are no coordinate planes are exact.
+// The contact pressure is integrated over the faces of the surface, of which a part can touch, and may be
+// with several planes at once. It is a stiffness times the penetration, as in fe/plane_contact.hpp. A face
+// lies at the mean distance of the sphere over it: faces are so large here that the sphere would rise over
+// their nodes by more than the penetration, and the pressure come in waves. The unknowns are the
+// displacements that the mirrors leave free, each along a direction of its node, so mirrors that are no
+// coordinate planes are exact.
 
 #include "fe/hexahedral.hpp"
+#include "fe/lagged_solver.hpp"
 #include "fe/plane_contact.hpp"
 #include "fe/sphere_wedge.hpp"
 
@@ -16,10 +17,12 @@
 
 namespace platen::fe {
 
-/// The contact pressure on one face of the surface.
+/// The contact of one face of the surface with a plane.
 struct FacePressure {
-  int plane, face;
-  double pressure; ///< mean over the face as it lies now (Pa)
+  int face;
+  double pressure; ///< mean over the face (Pa)
+  double area;     ///< as it lies now (R0^2)
+  double energy;   ///< of the penetration (R0^3 Pa)
 };
 
 class WedgeContact : Equilibrium {
@@ -43,7 +46,8 @@ class WedgeContact : Equilibrium {
   /// At the last equilibrium, of a whole plane. `radius` is that of the circle with the area of the contact,
   /// `energy` that of the penetration under one plane.
   Contact contact(int plane) const;
-  std::vector<FacePressure> pressures() const;
+  /// Of the wedge alone: the faces on which the plane presses.
+  std::vector<FacePressure> pressures(int plane) const;
 
   /// Displacements (x, y, z of each node) of the last equilibrium.
   std::vector<double> displacements() const { return expand(u); }
@@ -72,10 +76,9 @@ class WedgeContact : Equilibrium {
   double stiffness_of(const Point&) const;
   /// Negative where the point penetrates; displacements x, y, z of each node.
   double gap(const Plane&, const Point&, const std::vector<double>& displacement) const;
-  double touching_area(const Plane&, const Point* points, const std::vector<double>& displacement) const;
   Evaluation evaluate(const std::vector<double>& x, Residual&) override;
   bool linearise(const Residual&) override;
-  void solve_linear(std::span<double> rhs_to_solution) override;
+  bool solve_linear(std::span<double> rhs_to_solution) override;
   std::span<const material::PointUpdate> updates() const override { return solid.updates; }
   void number_unknowns();
   void reduce();
@@ -99,7 +102,7 @@ class WedgeContact : Equilibrium {
   std::vector<char> plain;      ///< per element: all its components are unknowns
   std::vector<double> matrices; ///< of the elements, of their unknowns alone
   std::vector<double> free_force;
-  std::unique_ptr<DirectSolver> solver;
+  std::unique_ptr<LaggedSolver> solver;
   double pressure_scale; ///< highest mean pressure met so far (Pa)
 };
 

@@ -203,12 +203,10 @@ void ConfinedRun::keep(Result& result, Branch branch) const {
   s.surface = mesh.surface;
   s.copies = fe::copies(mesh);
   s.pressure.resize(mesh.surface.size());
-  for (const auto& [plane, face, pressure] : contact.pressures())
-    for (const int axis : {2, 0, 1})
-      if (plane_of[axis] == plane) {
-        s.pressure[face][axis] = pressure;
-        break; // images touch images of the wedge
-      }
+  int plane = 0; // images touch images of the wedge
+  for (const int axis : {2, 0, 1})
+    if (plane_of[axis] == plane)
+      for (const auto& face : contact.pressures(plane++)) s.pressure[face.face][axis] = face.pressure;
   for (std::size_t e = 0; e < mesh.hexes.size(); ++e) {
     fe::Symmetric3 stress{};
     std::array<double, 4> zones{};

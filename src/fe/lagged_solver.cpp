@@ -1,0 +1,130 @@
+#include "fe/lagged_solver.hpp"
+
+#include "fe/stopwatch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace platen::fe {
+namespace {
+
+/// What a factorisation costs, in solutions with its factors. Counted rather than timed, so that a press
+/// gives the same curve on any machine.
+constexpr double factorisation_cost = 50;
+/// Steps of GMRES after which a factorisation is the shorter way.
+constexpr int steps_max = 40;
+
+double dot(std::span<const double> a, std::span<const double> b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+} // namespace
+
+LaggedSolver::LaggedSolver(int unknowns, std::vector<std::vector<int>> element_unknowns, Symmetry symmetry)
+    : elements(std::move(element_unknowns)), direct(unknowns, elements, symmetry) {}
+
+bool LaggedSolver::matrix(std::span<const double> element_matrices) {
+  matrices = element_matrices;
+  fresh = false;
+  return !wanted || factorise();
+}
+
+bool LaggedSolver::factorise() {
+  Stopwatch watch(factorisation_s);
+  if (!direct.factorise(matrices)) return false;
+  ++factorisations;
+  fresh = true;
+  wanted = false;
+  spent = factorisation_cost;
+  solved = 0;
+  return true;
+}
+
+bool LaggedSolver::solve(std::span<double> x) {
+  int steps = 0;
+  if (!fresh) {
+    steps = gmres(x);
+    if (steps == 0 && !factorise()) return false;
+  }
+  if (fresh) {
+    direct.solve(x);
+    ++applications;
+    steps = 1;
+  }
+  // Factorise next time if this solution cost more than all since the last factorisation, with it, on
+  // average.
+  spent += steps;
+  ++solved;
+  wanted = steps * solved > spent;
+  return true;
+}
+
+void LaggedSolver::multiply(std::span<const double> x, std::span<double> y) const {
+  std::fill(y.begin(), y.end(), 0.0);
+  const double* a = matrices.data();
+  double part[24];
+  for (const auto& element : elements) {
+    const std::size_t n = element.size();
+    std::fill(part, part + n, 0.0);
+    for (std::size_t j = 0; j < n; ++j, a += n)
+      for (std::size_t i = 0; i < n; ++i) part[i] += a[i] * x[element[j]];
+    for (std::size_t i = 0; i < n; ++i) y[element[i]] += part[i];
+  }
+}
+
+/// GMRES preconditioned from the right. Returns the steps taken; 0, x untouched, where they did not do.
+int LaggedSolver::gmres(std::span<double> x) {
+  const double size = std::sqrt(dot(x, x));
+  if (!(size > 0)) return 1;
+  std::vector<std::vector<double>> basis{{x.begin(), x.end()}};
+  for (double& v : basis[0]) v /= size;
+  std::vector<std::vector<double>> hessenberg; // columns, rotated to upper triangular
+  std::vector<double> cosine, sine, rest{size};
+  std::vector<double> direction(x.size()), product(x.size());
+  for (int k = 0; k < steps_max; ++k) {
+    direction = basis[k];
+    direct.solve(direction);
+    ++applications;
+    multiply(direction, product);
+    std::vector<double> h(k + 2);
+    for (int i = 0; i <= k; ++i) {
+      h[i] = dot(basis[i], product);
+      for (std::size_t n = 0; n < product.size(); ++n) product[n] -= h[i] * basis[i][n];
+    }
+    h[k + 1] = std::sqrt(dot(product, product));
+    if (!std::isfinite(h[k + 1])) return 0;
+    for (int i = 0; i < k; ++i) {
+      const double a = h[i], b = h[i + 1];
+      h[i] = cosine[i] * a + sine[i] * b;
+      h[i + 1] = cosine[i] * b - sine[i] * a;
+    }
+    const double below = h[k + 1], length = std::hypot(h[k], below);
+    if (!(length > 0)) return 0;
+    cosine.push_back(h[k] / length);
+    sine.push_back(below / length);
+    h[k] = length;
+    hessenberg.push_back(h);
+    rest.push_back(-sine[k] * rest[k]);
+    rest[k] *= cosine[k];
+    if (std::abs(rest[k + 1]) <= tolerance * size || below <= 1e-14 * length) {
+      for (int i = k; i >= 0; --i) {
+        for (int j = i + 1; j <= k; ++j) rest[i] -= hessenberg[j][i] * rest[j];
+        rest[i] /= hessenberg[i][i];
+      }
+      std::fill(direction.begin(), direction.end(), 0.0);
+      for (int i = 0; i <= k; ++i)
+        for (std::size_t n = 0; n < direction.size(); ++n) direction[n] += rest[i] * basis[i][n];
+      direct.solve(direction);
+      ++applications;
+      std::copy(direction.begin(), direction.end(), x.begin());
+      return k + 2;
+    }
+    for (double& v : product) v /= below;
+    basis.push_back(product);
+  }
+  return 0;
+}
+
+} // namespace platen::fe
