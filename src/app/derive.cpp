@@ -67,7 +67,7 @@ void derive_simple(const Options& o, const material::Material& material) {
   c.fields_at = moments(c.delta_bar_max);
 
   const OutputFolder folder(o.folder);
-  const auto result = press_into(c, folder, Fields::pictures);
+  const press::Result result = press_into(c, folder, Fields::pictures).result;
   print_flags(result);
   const FittedLaw law = fit_law(result.curve, o.variant);
   core::write_file(folder / "law.toml", text_of(fit::law_card(result.curve, law.loading, law.unloading,

@@ -88,7 +88,7 @@ std::vector<double> unloading_list(const std::string& text) {
 void derive_local(const LocalDerivation& d) {
   const press::Case c = case_of(d);
   const OutputFolder folder(d.folder);
-  const auto result = press_into(c, folder, Fields::pictures);
+  const press::Result result = press_into(c, folder, Fields::pictures).result;
   print_flags(result);
   const fit::WangFit fit = fit::fit_wang(result.curve);
   for (const auto& sentence : fit.skipped) core::say(fmt::format("note: {}\n", sentence));

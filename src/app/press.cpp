@@ -1,7 +1,6 @@
 #include "app/commands.hpp"
 #include "app/press_into.hpp"
 #include "press/case_card.hpp"
-#include "press/summary.hpp"
 #include "press/tension.hpp"
 
 #include <CLI/CLI.hpp>
@@ -25,10 +24,10 @@ void press(const Options& options) {
   auto c = press::read_case(options.card);
   if (!options.model.empty()) c.material.model = material::run_as(c.material.model, options.model);
   const OutputFolder folder(options.folder);
-  const auto result = press_into(c, folder, Fields::pictures_and_vtu);
+  const auto [result, summary] = press_into(c, folder, Fields::pictures_and_vtu);
   print_flags(result);
   if (options.json) {
-    fmt::print("{}", press::summary_json(c, result));
+    fmt::print("{}", summary);
     return;
   }
   const auto& last = *press::loading_end(result.curve);
@@ -59,11 +58,14 @@ void add_press(CLI::App& program) {
   command->add_flag("--json", options->json, "print the summary for a machine to read");
   auto* keys = command->add_flag("--keys", options->keys, "every key of a case card, as Markdown");
   keys->excludes(card);
-  command->footer("Example: platen press case.toml -o out/press\n"
-                  "with case.toml:\n\n"
-                  "  platen = 1\n  experiment = \"simple\"\n  material = \"mcc-ph-200\"\n  radius_m = 1e-3\n"
-                  "  [output]\n  fields_at = [0.1, 0.5]\n\n"
-                  "Small contacts: experiment = \"local\", [path] force_max_N = 100");
+  command->footer(
+      "Example: platen press case.toml -o out/press\n"
+      "with case.toml:\n\n"
+      "  platen = 1\n  experiment = \"simple\"\n  material = \"mcc-ph-200\"\n  radius_m = 1e-3\n"
+      "  [output]\n  fields_at = [0.1, 0.5]\n\n"
+      "Small contacts: experiment = \"local\", [path] force_max_N = 100\n"
+      "Confined: experiment = \"die\" or \"hydrostatic\", or \"triaxial\" with [path] delta_bar = "
+      "[...],\ndelta_bar_x = [...], delta_bar_y = [...]");
   command->callback([options] {
     if (options->card.empty() && !options->keys) throw CLI::RequiredError("CASE.toml");
     press(*options);

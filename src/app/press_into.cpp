@@ -5,6 +5,7 @@
 #include "core/interrupt.hpp"
 #include "core/progress.hpp"
 #include "core/say.hpp"
+#include "plot/confined_picture.hpp"
 #include "plot/local_picture.hpp"
 #include "plot/zone_map.hpp"
 #include "press/case_card.hpp"
@@ -19,35 +20,23 @@
 namespace platen::app {
 namespace {
 
-press::LocalResult press_with_progress(const press::Case& c) {
-  core::Progress progress(fmt::format("pressing {}", c.material.name));
-  if (c.experiment == "local")
-    return press::local(c, [&](double fraction, const press::CurvePoint& point) {
-      progress.show(fraction, fmt::format("F = {:.3g} N", point.force_N));
-      return !core::interrupted();
-    });
-  return {press::simple(c,
-                        [&](double fraction, const press::CurvePoint& point) {
-                          progress.show(fraction, fmt::format("delta_bar = {:.3f}", point.delta_bar));
-                          return !core::interrupted();
-                        }),
-          {},
-          {},
-          {},
-          {}};
+template <class Result>
+void write_fields(const press::Case& c, const Result& snapshots, const OutputFolder& folder) {
+  for (const auto& snapshot : snapshots)
+    core::write_file(folder / press::fields_name(snapshot.delta_bar),
+                     press::fields_vtu(snapshot, c.radius_m));
+  if (!snapshots.empty()) core::write_file(folder / "fields.pvd", press::fields_series(snapshots));
 }
 
-void write_fields(const press::Case& c, const press::Result& result, const OutputFolder& folder) {
-  for (const auto& snapshot : result.snapshots)
-    core::write_file(folder / press::fields_name(snapshot), press::fields_vtu(snapshot, c.radius_m));
-  core::write_file(folder / "fields.pvd", press::fields_series(result.snapshots));
+void write_pictures(const press::Case& c, const press::Result& result, const OutputFolder& folder) {
+  if (!result.snapshots.empty())
+    plot::zone_map(result.snapshots, fmt::format("{}: where it flows", c.material.name),
+                   folder / "zones.svg");
 }
 
-void write_local(const press::Case& c, const press::LocalResult& result, const OutputFolder& folder,
-                 Fields fields) {
+void write_pictures(const press::Case&, const press::LocalResult& result, const OutputFolder& folder) {
   for (const auto& profile : result.profiles)
     core::write_file(folder / press::profile_name(profile), press::profile_csv(profile));
-  if (!result.snapshots.empty() && fields == Fields::pictures_and_vtu) write_fields(c, result, folder);
   if (press::loading_end(result.curve)) {
     plot::approach_picture(result, folder / "approach.svg");
     plot::peaks_picture(result, folder / "peaks.svg");
@@ -57,33 +46,57 @@ void write_local(const press::Case& c, const press::LocalResult& result, const O
   plot::plastic_zone_picture(result, folder / "zones.svg");
 }
 
+void write_pictures(const press::Case& c, const press::ConfinedResult& result, const OutputFolder& folder) {
+  if (press::loading_end(result.curve)) plot::contacts_picture(result.curve, folder / "contacts.svg");
+  if (result.spatial.empty()) return;
+  plot::particle_picture(result.spatial, fmt::format("{}: plastic strain", c.material.name),
+                         folder / "particle.svg");
+  plot::faces_picture(result.spatial, result.curve.sigma_ref_Pa,
+                      fmt::format("{}: contact pressure", c.material.name), folder / "faces.svg");
+}
+
+const std::vector<press::Snapshot>& snapshots_of(const press::Result& result) { return result.snapshots; }
+const std::vector<press::SpatialSnapshot>& snapshots_of(const press::ConfinedResult& result) {
+  return result.spatial;
+}
+
 /// What cost most comes first: where the disk fills, the files before are whole.
-void write_results(const press::Case& c, const press::LocalResult& result, const OutputFolder& folder,
-                   Fields fields) {
+template <class Result>
+Pressed written(const press::Case& c, const Result& result, const OutputFolder& folder, Fields fields) {
   folder.forget({"case.toml", "curve.csv", "summary.json", "zones.svg", "curve.svg", "law.toml", "fields.pvd",
-                 "approach.svg", "peaks.svg", "pressure.svg"});
+                 "approach.svg", "peaks.svg", "pressure.svg", "contacts.svg", "particle.svg", "faces.svg"});
   folder.forget_series("fields-", ".vtu");
   folder.forget_series("profile-", ".csv");
   press::write_curve(result.curve, folder / "curve.csv");
   core::write_file(folder / "case.toml", press::case_text(c));
-  const bool local = c.experiment == "local";
-  if (local) write_local(c, result, folder, fields);
-  if (!result.snapshots.empty() && !local) {
-    plot::zone_map(result.snapshots, fmt::format("{}: where it flows", c.material.name),
-                   folder / "zones.svg");
-    if (fields == Fields::pictures_and_vtu) write_fields(c, result, folder);
-  }
+  write_pictures(c, result, folder);
+  if (fields == Fields::pictures_and_vtu) write_fields(c, snapshots_of(result), folder);
   // Last: where there is a summary, the rest is there as well.
-  core::write_file(folder / "summary.json",
-                   local ? press::summary_json(c, result)
-                         : press::summary_json(c, static_cast<const press::Result&>(result)));
+  Pressed pressed{result, press::summary_json(c, result)};
+  core::write_file(folder / "summary.json", pressed.summary);
+  return pressed;
+}
+
+Pressed press_and_write(const press::Case& c, const OutputFolder& folder, Fields fields) {
+  core::Progress progress(fmt::format("pressing {}", c.material.name));
+  const auto by_overlap = [&](double fraction, const press::CurvePoint& point) {
+    progress.show(fraction, fmt::format("delta_bar = {:.3f}", point.delta_bar));
+    return !core::interrupted();
+  };
+  const auto by_force = [&](double fraction, const press::CurvePoint& point) {
+    progress.show(fraction, fmt::format("F = {:.3g} N", point.force_N));
+    return !core::interrupted();
+  };
+  if (c.experiment == "local") return written(c, press::local(c, by_force), folder, fields);
+  if (press::is_confined(c.experiment)) return written(c, press::confined(c, by_overlap), folder, fields);
+  return written(c, press::simple(c, by_overlap), folder, fields);
 }
 
 } // namespace
 
-press::LocalResult press_into(const press::Case& c, const OutputFolder& folder, Fields fields) {
-  press::LocalResult result = press_with_progress(c);
-  write_results(c, result, folder, fields);
+Pressed press_into(const press::Case& c, const OutputFolder& folder, Fields fields) {
+  Pressed pressed = press_and_write(c, folder, fields);
+  const press::Result& result = pressed.result;
   const press::CurvePoint* end = press::loading_end(result.curve);
   const double reached = end ? end->delta_bar : 0;
   if (result.failure) {
@@ -96,7 +109,7 @@ press::LocalResult press_into(const press::Case& c, const OutputFolder& folder, 
   if (result.interrupted)
     throw core::Interrupted(fmt::format("stopped as asked; the curve up to delta_bar = {:.4g} is in {}",
                                         reached, (folder / "curve.csv").string()));
-  return result;
+  return pressed;
 }
 
 void print_flags(const press::Result& result) {

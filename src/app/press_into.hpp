@@ -2,17 +2,24 @@
 // A press with its results in a folder: what `press` and `derive` share.
 
 #include "app/output_folder.hpp"
-#include "press/local.hpp"
+#include "press/simple.hpp"
+
+#include <string>
 
 namespace platen::app {
 
 /// What becomes of the fields that a case asks for.
 enum class Fields { pictures, pictures_and_vtu };
 
-/// Presses with progress on standard error and writes curve.csv, case.toml, summary.json and, where fields
-/// were asked for, zones.svg and the files of VTK. A press that stops early is written the same; then
-/// ConvergenceError or Interrupted is thrown. Of a simple press what is local's alone is empty.
-press::LocalResult press_into(const press::Case&, const OutputFolder&, Fields);
+struct Pressed {
+  press::Result result; ///< what all experiments have
+  std::string summary;  ///< summary.json
+};
+
+/// Presses with progress on standard error and writes curve.csv, case.toml, summary.json, pictures and, where
+/// fields were asked for, the files of VTK. A press that stops early is written the same; then
+/// ConvergenceError or Interrupted is thrown.
+Pressed press_into(const press::Case&, const OutputFolder&, Fields);
 
 /// The sentences about a press that its user must read, on standard error.
 void print_flags(const press::Result&);

@@ -27,7 +27,7 @@ class LaggedSolver {
   long factorisations = 0, applications = 0;
   double factorisation_s = 0;
 
-  static constexpr double tolerance = 1e-3;
+  static constexpr double tolerance = 1e-2;
 
  private:
   bool factorise();

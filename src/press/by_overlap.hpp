@@ -17,7 +17,8 @@ template <class Run> class PressByOverlap {
  public:
   PressByOverlap(const Case& c, const Progress& progress_) : press_case(c), progress(progress_), run(c) {
     result.curve = begun_curve(c);
-    stops = halts(c.unload_from, c.fields_at, c.delta_bar_max);
+    turns = run.turns();
+    stops = halts(halts(c.unload_from, c.fields_at, c.delta_bar_max), turns, c.delta_bar_max);
   }
 
   typename Run::Result operator()() {
@@ -63,6 +64,7 @@ template <class Run> class PressByOverlap {
       }
       if (wanted(press_case.fields_at, stop)) run.keep(result, Branch::loading);
       if (wanted(press_case.unload_from, stop)) branch();
+      if (wanted(turns, stop)) step = rule.first;
     }
   }
 
@@ -146,7 +148,7 @@ template <class Run> class PressByOverlap {
   const Progress& progress;
   Run run;
   typename Run::Result result;
-  std::vector<double> stops;
+  std::vector<double> stops, turns;
   std::vector<CurvePoint> branches;
   std::string why;
   int branch_id = 0;

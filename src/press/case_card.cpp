@@ -6,6 +6,8 @@
 #include "core/nearest.hpp"
 #include "core/number.hpp"
 #include "material/card.hpp"
+#include "material/update.hpp"
+#include "press/confined.hpp"
 
 #include <fmt/format.h>
 
@@ -16,7 +18,7 @@
 namespace platen::press {
 namespace {
 
-using core::closed, core::Field, core::left_open, core::positive;
+using core::closed, core::Field, core::left_open, core::positive, core::right_open;
 using core::Table, core::Value;
 
 constexpr double no_limit = std::numeric_limits<double>::infinity();
@@ -29,7 +31,9 @@ struct Head {
 const std::vector<Field<Head>> head_fields = {
     {"platen", &Head::platen, "format of the card", closed(1, 1)},
     {"experiment", &Head::experiment,
-     "simple: a sphere between two rigid planes; local: the same at small contacts, by force"},
+     "simple: a sphere between two rigid planes; local: the same at small contacts, by force; die: between "
+     "two planes and four walls; hydrostatic: between six planes; triaxial: between planes that go their own "
+     "ways"},
     {"radius_m", &Head::radius_m, "radius of the undeformed particle", positive},
 };
 
@@ -83,16 +87,45 @@ const std::vector<Field<Case>> output_fields = {
         .growing(),
 };
 
-const std::vector<std::string> experiments = {"simple", "local"};
-const std::vector<std::string> later_experiments = {"die", "hydrostatic", "triaxial"};
+// How far the cell may close depends on the material: see check_cell().
+const std::vector<Field<Case>> confined_path_fields = {
+    Field<Case>{"delta_bar_max", &Case::delta_bar_max,
+                "largest delta/R0; by default that of zero porosity, 0.4764 (die) or 0.194 (hydrostatic)",
+                left_open(0, 1)}
+        .optional(),
+    Field<Case>{"unload_from", &Case::unload_from, "delta/R0 from which a branch unloads", left_open(0, 1)}
+        .optional()
+        .growing(),
+    Field<Case>{"reload", &Case::reload, "whether each unloaded branch is loaded again"}.optional(),
+};
+const std::vector<Field<Case>> triaxial_path_fields = {
+    {"delta_bar", &Case::delta_bar_z,
+     "delta/R0 of the planes along z, waypoint by waypoint; the planes go straight from one to the next",
+     right_open(0, 1)},
+    Field<Case>{"delta_bar_x", &Case::delta_bar_x, "the same along x; without it there are no planes",
+                right_open(0, 1)}
+        .optional(),
+    Field<Case>{"delta_bar_y", &Case::delta_bar_y, "the same along y", right_open(0, 1)}.optional(),
+};
+const std::vector<Field<Case>> confined_mesh_fields = {
+    Field<Case>{"elements", &Case::elements, "wanted number of hexahedra in the wedge", closed(200, 60000)}
+        .optional(),
+};
+const std::vector<Field<Case>> confined_output_fields = {
+    Field<Case>{
+        "fields_at", &Case::fields_at,
+        "delta/R0 at which fields are kept; triaxial: the way that the plane that moves most has gone",
+        left_open(0, 10)}
+        .optional()
+        .growing(),
+};
+
+const std::vector<std::string> experiments = {"simple", "local", "die", "hydrostatic", "triaxial"};
 
 void check_experiment(const std::string& experiment, const std::string& where) {
   if (std::find(experiments.begin(), experiments.end(), experiment) != experiments.end()) return;
-  const std::string start = fmt::format("{} = \"{}\"", where, experiment);
-  if (std::find(later_experiments.begin(), later_experiments.end(), experiment) != later_experiments.end())
-    throw core::InvalidInput(fmt::format("{} is not available yet; available are: simple, local", start));
-  throw core::InvalidInput(
-      fmt::format("{}: there is no such experiment{}", start, core::suggestion(experiment, experiments)));
+  throw core::InvalidInput(fmt::format("{} = \"{}\": there is no such experiment{}", where, experiment,
+                                       core::suggestion(experiment, experiments)));
 }
 
 void check_within_path(const std::vector<double>& values, double end, const std::string& where,
@@ -124,15 +157,6 @@ Case read_local(const Table& card, Case result) {
   return result;
 }
 
-/// The path of a local case; a force that nobody asked for is not in it.
-std::string local_path_lines(const Case& c) {
-  std::string lines;
-  for (const auto& field : local_path_fields)
-    if (field.key != "force_max_N" || c.force_max_N < no_limit)
-      lines += core::card_line(field.key, core::value_of(field, c));
-  return lines;
-}
-
 std::filesystem::path find_material(const Table& card, const std::string& what) {
   // A card and the material beside it can be moved together.
   const auto beside = std::filesystem::path(card.file).parent_path() / what;
@@ -159,6 +183,72 @@ material::Material read_material(const Table& card) {
   return material::read_card(core::read_toml(find_material(card, *what))).material;
 }
 
+/// A cell cannot be smaller than what is in it.
+void check_cell(const Case& c, const Table& where) {
+  const double solid = material::relative_density(c.material.model, 0);
+  const auto check = [&](const std::array<double, 3>& overlaps, const std::string& place) {
+    const double left = cell_volume(overlaps) / solid;
+    if (left < 1 / fullest * (1 - 1e-9))
+      throw core::InvalidInput(fmt::format(
+          "{} leaves the cell {:.3g} of the volume of the particle's solid; the press goes down to {:.2g}",
+          place, left, 1 / fullest));
+  };
+  if (c.experiment != "triaxial") {
+    const double d = c.delta_bar_max, wall = c.experiment == "hydrostatic" ? d : 0;
+    check({wall, wall, d}, fmt::format("{} = {}", core::place(where, "delta_bar_max"), core::number_text(d)));
+    return;
+  }
+  const std::size_t n = c.delta_bar_z.size();
+  for (const auto& [list, key] : {std::pair{&c.delta_bar_x, "delta_bar_x"}, {&c.delta_bar_y, "delta_bar_y"}})
+    if (!list->empty() && list->size() != n)
+      throw core::InvalidInput(fmt::format("{} has {} waypoints and delta_bar has {}; give as many",
+                                           core::place(where, key), list->size(), n));
+  std::array<double, 3> before{};
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::array<double, 3> at{c.delta_bar_x.empty() ? 0 : c.delta_bar_x[i],
+                                   c.delta_bar_y.empty() ? 0 : c.delta_bar_y[i], c.delta_bar_z[i]};
+    if (at == before)
+      throw core::InvalidInput(
+          fmt::format("{}: at waypoint {} nothing moves", core::place(where, "delta_bar"), i + 1));
+    before = at;
+    if (!c.delta_bar_x.empty() && !c.delta_bar_y.empty())
+      check(at, fmt::format("{}: waypoint {}", core::place(where, "delta_bar"), i + 1));
+  }
+  if (n == 0) throw core::InvalidInput(fmt::format("{} needs a waypoint", core::place(where, "delta_bar")));
+}
+
+/// The sections of a confined case.
+Case read_confined(const Table& card, Case result) {
+  const bool triaxial = result.experiment == "triaxial";
+  result.delta_bar_max = zero_porosity(result.experiment);
+  result.material = read_material(card);
+  const Table* path = core::section(card, "path");
+  if (triaxial && !path)
+    throw core::InvalidInput(fmt::format("{}: a triaxial press needs [path] delta_bar", card.file));
+  if (path) result = core::read_fields(*path, triaxial ? triaxial_path_fields : confined_path_fields, result);
+  check_cell(result, path ? *path : card);
+  if (triaxial) result.delta_bar_max = path_length(result);
+  if (path && !triaxial)
+    check_within_path(result.unload_from, result.delta_bar_max, core::place(*path, "unload_from"));
+  if (const Table* mesh = core::section(card, "mesh"))
+    result = core::read_fields(*mesh, confined_mesh_fields, result);
+  if (const Table* output = core::section(card, "output")) {
+    result = core::read_fields(*output, confined_output_fields, result);
+    check_within_path(result.fields_at, result.delta_bar_max, core::place(*output, "fields_at"),
+                      triaxial ? "the way of the planes" : "delta_bar_max");
+  }
+  return result;
+}
+
+/// The path of a local case; a force that nobody asked for is not in it.
+std::string local_path_lines(const Case& c) {
+  std::string lines;
+  for (const auto& field : local_path_fields)
+    if (field.key != "force_max_N" || c.force_max_N < no_limit)
+      lines += core::card_line(field.key, core::value_of(field, c));
+  return lines;
+}
+
 } // namespace
 
 Case read_case(std::string_view path) { return read_case(core::read_toml(path)); }
@@ -171,6 +261,7 @@ Case read_case(const Table& card) {
   Case result;
   result.experiment = head.experiment;
   result.radius_m = head.radius_m;
+  if (is_confined(head.experiment)) return read_confined(card, result);
   if (head.experiment == "local") {
     result = read_local(card, result);
     result.material = read_material(card);
@@ -196,14 +287,24 @@ void validate(const Case& c) { (void)read_case(core::parse_toml(case_text(c), "c
 
 std::string case_text(const Case& c) {
   std::string material = material::card_text(c.material);
-  const bool local = c.experiment == "local";
+  const bool local = c.experiment == "local", confined = is_confined(c.experiment);
   const auto at = material.find("[parameters]");
   material.replace(at, std::string_view("[parameters]").size(), "[material.parameters]");
+  const std::string path = local                        ? local_path_lines(c)
+                           : c.experiment == "triaxial" ? core::card_lines(triaxial_path_fields, c)
+                           : confined                   ? core::card_lines(confined_path_fields, c)
+                                                        : core::card_lines(path_fields, c);
   return fmt::format("{}\n[path]\n{}\n[mesh]\n{}\n[output]\n{}\n[material]\n{}",
-                     core::card_lines(head_fields, Head{1, c.experiment, c.radius_m}),
-                     local ? local_path_lines(c) : core::card_lines(path_fields, c),
-                     core::card_lines(local ? local_mesh_fields : mesh_fields, c),
-                     core::card_lines(local ? local_output_fields : output_fields, c), material);
+                     core::card_lines(head_fields, Head{1, c.experiment, c.radius_m}), path,
+                     core::card_lines(local      ? local_mesh_fields
+                                      : confined ? confined_mesh_fields
+                                                 : mesh_fields,
+                                      c),
+                     core::card_lines(local      ? local_output_fields
+                                      : confined ? confined_output_fields
+                                                 : output_fields,
+                                      c),
+                     material);
 }
 
 std::string case_reference() {
@@ -216,9 +317,13 @@ std::string case_reference() {
   return fmt::format(
       "# Case card\n\n{}| `material` | a name in the catalogue, a path, or a table | text or a "
       "table |\n\n## [path]\n\n{}\n## [mesh]\n\n{}\n## [output]\n\n{}"
-      "\n# experiment = \"local\"\n\n## [path]\n\n{}\n## [mesh]\n\n{}\n## [output]\n\n{}",
+      "\n# experiment = \"local\"\n\n## [path]\n\n{}\n## [mesh]\n\n{}\n## [output]\n\n{}"
+      "\n# experiment = \"die\" or \"hydrostatic\"\n\n## [path]\n\n{}\n## [mesh]\n\n{}\n## [output]\n\n{}"
+      "\n# experiment = \"triaxial\"\n\n[mesh] and [output] as of die.\n\n## [path]\n\n{}",
       core::reference_table(core::infos<Head>(head_fields)), page(path_fields), page(mesh_fields),
-      page(output_fields), page(local_path_fields), page(local_mesh_fields), page(local_output_fields));
+      page(output_fields), page(local_path_fields), page(local_mesh_fields), page(local_output_fields),
+      page(confined_path_fields), page(confined_mesh_fields), page(confined_output_fields),
+      page(triaxial_path_fields));
 }
 
 } // namespace platen::press

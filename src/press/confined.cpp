@@ -4,12 +4,23 @@
 #include "press/by_overlap.hpp"
 #include "press/confined_run.hpp"
 
+#include <cmath>
 #include <numbers>
 
 namespace platen::press {
 
 double zero_porosity(std::string_view experiment) {
   return experiment == "hydrostatic" ? 1 - std::cbrt(std::numbers::pi / 6) : 1 - std::numbers::pi / 6;
+}
+
+double cell_volume(const std::array<double, 3>& overlaps) {
+  return 8 * (1 - overlaps[0]) * (1 - overlaps[1]) * (1 - overlaps[2]) / (4 * std::numbers::pi / 3);
+}
+
+double path_length(const Case& c) { return motion_of(c).end; }
+
+bool is_confined(std::string_view experiment) {
+  return experiment == "die" || experiment == "hydrostatic" || experiment == "triaxial";
 }
 
 ConfinedResult confined(const Case& c, const Progress& progress) {

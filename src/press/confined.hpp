@@ -28,7 +28,7 @@ struct SpatialSnapshot {
   std::vector<std::array<double, 6>> stress;      ///< Cauchy, tension positive (Pa): xx yy zz xy yz zx
   std::vector<double> p, q;                       ///< tension positive (Pa)
   std::vector<double> rho_r, phi;
-  std::vector<double> zone; ///< that most of the Gauss points are in
+  std::vector<Zone> zone; ///< that most of the Gauss points are in
   /// Invariants of the plastic Hencky strain -ln(C_p^-1)/2: of the shape reached, not accumulated on the way.
   std::vector<double> plastic_strain_v, plastic_strain_q;
 };
@@ -45,7 +45,16 @@ ConfinedResult confined(const Case&, const Progress& = {});
 /// (hydrostatic): no pores are left of a particle that keeps its volume.
 double zero_porosity(std::string_view experiment);
 
-/// The largest volume of the undeformed particle, in its own full density, over that of the cell.
+/// The largest volume of the undeformed particle, at its full density, over that of the cell.
 inline constexpr double fullest = 1 / 0.9;
+
+/// Volume of the cell between the planes at these overlaps (delta/R0 along x, y, z), over that of the
+/// undeformed particle.
+double cell_volume(const std::array<double, 3>& overlaps);
+
+/// Of a triaxial press: the sum of the longest way of any plane between waypoints (R0).
+double path_length(const Case&);
+
+bool is_confined(std::string_view experiment);
 
 } // namespace platen::press

@@ -40,11 +40,13 @@ Motion triaxial_motion(const Case& c) {
   std::vector<double> times{0};
   for (std::size_t i = 0; i < c.delta_bar_z.size(); ++i) {
     std::array<double, 3> next{};
-    double change = 0;
+    double change = 0, approach = 0;
     for (int axis = 0; axis < 3; ++axis) {
       if (m.present[axis]) next[axis] = (*history[axis])[i];
       change = std::max(change, std::abs(next[axis] - points.back()[axis]));
+      approach += next[axis] - points.back()[axis];
     }
+    m.retreats.push_back(approach < 0);
     times.push_back(times.back() + change);
     points.push_back(next);
   }
@@ -184,6 +186,13 @@ CurvePoint ConfinedRun::row(Branch branch, int branch_id) const {
   CurvePoint point = now.row;
   point.branch = branch;
   point.branch_id = branch_id;
+  // Legs of a triaxial history on which the planes move apart are branches.
+  for (std::size_t leg = 0; leg < motion.retreats.size(); ++leg)
+    if (motion.retreats[leg] && now.time > (leg ? motion.turns[leg - 1] : 0) &&
+        now.time <= motion.turns[leg]) {
+      point.branch = Branch::unloading;
+      point.branch_id = static_cast<int>(leg);
+    }
   return point;
 }
 
@@ -209,7 +218,7 @@ void ConfinedRun::keep(Result& result, Branch branch) const {
       for (const auto& face : contact.pressures(plane++)) s.pressure[face.face][axis] = face.pressure;
   for (std::size_t e = 0; e < mesh.hexes.size(); ++e) {
     fe::Symmetric3 stress{};
-    std::array<double, 4> zones{};
+    std::array<int, 4> zones{};
     double p = 0, q = 0, phi = 0, plastic_v = 0, plastic_q = 0;
     for (int g = 0; g < 8; ++g) {
       const int i = 8 * static_cast<int>(e) + g;
@@ -224,7 +233,7 @@ void ConfinedRun::keep(Result& result, Branch branch) const {
       plastic_q += plastic.eps_q / 8;
     }
     s.stress.push_back(stress);
-    s.zone.push_back(static_cast<double>(std::max_element(zones.begin(), zones.end()) - zones.begin()));
+    s.zone.push_back(static_cast<Zone>(std::max_element(zones.begin(), zones.end()) - zones.begin()));
     s.p.push_back(p);
     s.q.push_back(q);
     s.phi.push_back(phi);

@@ -16,6 +16,7 @@ struct Motion {
   std::array<bool, 3> present{};                            ///< planes along x, y, z
   std::function<std::array<double, 3>(double)> overlaps_at; ///< delta/R0 along x, y, z
   std::vector<double> turns;                                ///< times at which it changes its direction
+  std::vector<char> retreats;                               ///< whether the planes move apart up to a turn
   double end = 0;
 };
 Motion motion_of(const Case&);
@@ -44,6 +45,7 @@ class ConfinedRun {
   const CurvePoint& row() const { return now.row; }
   CurvePoint row(Branch, int branch_id) const;
   double delta_bar() const { return now.time; }
+  const std::vector<double>& turns() const { return motion.turns; }
   void keep(Result&, Branch) const;
   Statistics statistics() const;
   std::vector<std::string> flags() const;

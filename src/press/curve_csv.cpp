@@ -5,6 +5,7 @@
 #include "core/file.hpp"
 #include "core/nearest.hpp"
 #include "core/number.hpp"
+#include "press/confined.hpp"
 
 #include <fmt/format.h>
 
@@ -74,7 +75,7 @@ constexpr std::array y_columns = {
 std::vector<Column> columns_of(std::string_view experiment) {
   std::vector<Column> list(columns.begin(), columns.end());
   const auto append = [&](const auto& more) { list.insert(list.end(), more.begin(), more.end()); };
-  if (experiment == "die" || experiment == "hydrostatic" || experiment == "triaxial") append(cell_columns);
+  if (is_confined(experiment)) append(cell_columns);
   if (experiment == "die" || experiment == "triaxial") append(x_columns);
   if (experiment == "triaxial") append(y_columns);
   return list;

@@ -1,7 +1,7 @@
 #pragma once
 // Fields of a press as files of VTK, which ParaView and meshio read.
 
-#include "press/simple.hpp"
+#include "press/confined.hpp"
 
 #include <filesystem>
 #include <string>
@@ -15,10 +15,14 @@ namespace platen::press {
 /// the plastic Hencky strain, all of them means over the cell. `TimeValue` is delta_bar.
 std::string fields_vtu(const Snapshot&, double radius_m);
 
+/// The wedge of a confined press in hexahedra, with the same fields.
+std::string fields_vtu(const SpatialSnapshot&, double radius_m);
+
 /// "fields-0.1.vtu".
-std::string fields_name(const Snapshot&);
+std::string fields_name(double delta_bar);
 
 /// fields.pvd: the series over delta_bar.
 std::string fields_series(const std::vector<Snapshot>&);
+std::string fields_series(const std::vector<SpatialSnapshot>&);
 
 } // namespace platen::press

@@ -44,6 +44,7 @@ class SphereRun {
   const CurvePoint& row() const { return now.row; }
   CurvePoint row(Branch, int branch_id) const;
   double delta_bar() const { return now.delta_bar; }
+  std::vector<double> turns() const { return {}; } ///< the plane goes on
   Snapshot snapshot(Branch) const;
   void keep(Result& result, Branch branch) const { result.snapshots.push_back(snapshot(branch)); }
   const fe::PlaneContact& plane() const { return contact; }

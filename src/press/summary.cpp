@@ -118,4 +118,21 @@ std::string summary_json(const Case& c, const LocalResult& result) {
   return text_of(summary);
 }
 
+std::string summary_json(const Case& c, const ConfinedResult& result) {
+  Json summary = summary_of(c, result);
+  const auto plane = [](double delta, double force, double radius, double pressure) {
+    return Json{
+        {"delta_m", delta}, {"force_N", force}, {"contact_radius_m", radius}, {"mean_pressure_Pa", pressure}};
+  };
+  if (const CurvePoint* p = loading_end(result.curve)) {
+    summary["cell_filling"] = p->cell_filling;
+    summary["mesh_quality"] = p->mesh_quality;
+    summary["planes"] = {
+        {"z", plane(p->delta_m, p->force_N, p->contact_radius_m, p->mean_pressure_Pa)},
+        {"x", plane(p->delta_x_m, p->force_x_N, p->contact_radius_x_m, p->mean_pressure_x_Pa)},
+        {"y", plane(p->delta_y_m, p->force_y_N, p->contact_radius_y_m, p->mean_pressure_y_Pa)}};
+  }
+  return text_of(summary);
+}
+
 } // namespace platen::press

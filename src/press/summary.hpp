@@ -2,6 +2,7 @@
 // summary.json: what was pressed, by what, how it went.
 
 #include "press/case.hpp"
+#include "press/confined.hpp"
 #include "press/local.hpp"
 
 #include <string>
@@ -13,5 +14,7 @@ namespace platen::press {
 std::string summary_json(const Case&, const Result&);
 /// The same with first yield and break-through.
 std::string summary_json(const Case&, const LocalResult&);
+/// The same with the last contact of each plane, the cell, and the mesh.
+std::string summary_json(const Case&, const ConfinedResult&);
 
 } // namespace platen::press
