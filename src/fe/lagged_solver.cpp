@@ -43,16 +43,9 @@ bool LaggedSolver::factorise() {
 }
 
 bool LaggedSolver::solve(std::span<double> x) {
-  int steps = 0;
-  if (!fresh) {
-    steps = gmres(x);
-    if (steps == 0 && !factorise()) return false;
-  }
-  if (fresh) {
-    direct.solve(x);
-    ++applications;
-    steps = 1;
-  }
+  int steps = gmres(x);
+  if (steps == 0 && !fresh && factorise()) steps = gmres(x);
+  if (steps == 0) return false;
   // Factorise next time if this solution cost more than all since the last factorisation, with it, on
   // average.
   spent += steps;

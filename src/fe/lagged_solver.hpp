@@ -3,7 +3,7 @@
 //
 // The tangents of neighbouring iterates differ little: a few faces touch or part, some points begin to flow.
 // So the factors of an earlier tangent precondition GMRES for the present one, until a new factorisation
-// pays.
+// pays. For that they need no more than single precision.
 
 #include "fe/sparse.hpp"
 
@@ -35,7 +35,7 @@ class LaggedSolver {
   int gmres(std::span<double> rhs_to_solution);
 
   std::vector<std::vector<int>> elements;
-  DirectSolver direct;
+  DirectSolverOf<float> direct;
   std::span<const double> matrices;
   bool fresh = false; ///< the factors are those of the matrix
   bool wanted = true; ///< to factorise the next matrix

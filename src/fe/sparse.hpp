@@ -12,13 +12,14 @@ namespace platen::fe {
 
 enum class Symmetry { unsymmetric, general_symmetric };
 
-/// Direct solver. The analysis is done once; factorise and solve as often as wanted.
-class DirectSolver {
+/// Direct solver. The analysis is done once; factorise and solve as often as wanted. Number: of the factors,
+/// double or float, which takes half the time and memory.
+template <class Number> class DirectSolverOf {
  public:
   /// The unknowns of each element, numbered from 0. Throws std::runtime_error where MUMPS refuses them.
-  DirectSolver(int unknowns, std::span<const std::vector<int>> element_unknowns, Symmetry);
-  ~DirectSolver();
-  DirectSolver(DirectSolver&&) noexcept;
+  DirectSolverOf(int unknowns, std::span<const std::vector<int>> element_unknowns, Symmetry);
+  ~DirectSolverOf();
+  DirectSolverOf(DirectSolverOf&&) noexcept;
 
   /// The element matrices one after the other, each whole and by columns. False where their sum is singular.
   [[nodiscard]] bool factorise(std::span<const double> element_matrices);
@@ -29,5 +30,7 @@ class DirectSolver {
   struct Mumps;
   std::unique_ptr<Mumps> mumps;
 };
+
+using DirectSolver = DirectSolverOf<double>;
 
 } // namespace platen::fe
