@@ -49,7 +49,7 @@ int ordering(int unknowns, std::size_t largest_element) {
 
 template <class Number>
 DirectSolverOf<Number>::DirectSolverOf(int unknowns, std::span<const std::vector<int>> element_unknowns,
-                           Symmetry symmetry)
+                                       Symmetry symmetry)
     : mumps(std::make_unique<Mumps>()) {
   if (openblas_set_num_threads) openblas_set_num_threads(1);
   Mumps& m = *mumps;
@@ -85,15 +85,12 @@ DirectSolverOf<Number>::DirectSolverOf(int unknowns, std::span<const std::vector
 template <class Number> DirectSolverOf<Number>::~DirectSolverOf() {
   if (mumps) mumps->run(-2);
 }
-template <class Number>
-DirectSolverOf<Number>::DirectSolverOf(DirectSolverOf&&) noexcept = default;
+template <class Number> DirectSolverOf<Number>::DirectSolverOf(DirectSolverOf&&) noexcept = default;
 
-template <class Number>
-bool DirectSolverOf<Number>::factorise(std::span<const double> element_matrices) {
+template <class Number> bool DirectSolverOf<Number>::factorise(std::span<const double> element_matrices) {
   Mumps& m = *mumps;
   const auto number = [](double value) { return static_cast<Number>(value); };
-  if (m.id.sym == 0)
-    std::transform(element_matrices.begin(), element_matrices.end(), m.a.begin(), number);
+  if (m.id.sym == 0) std::transform(element_matrices.begin(), element_matrices.end(), m.a.begin(), number);
   else { // MUMPS takes the lower triangles
     auto from = element_matrices.begin();
     auto to = m.a.begin();

@@ -52,8 +52,8 @@ Plan plan_of(Wedge wedge) {
     p.face_on_sphere = {0.606, 0.254, 0.754};
     p.middle = {0.277, 0.118, 0.383};
     p.cells = {10, 14, 12, 12};
-    p.growth[1][2] = p.growth[1][3] = 4;
-    p.growth[2][1] = 5, p.growth[2][3] = 2;
+    p.growth[1][2] = p.growth[1][3] = 2.5;
+    p.growth[2][1] = 2.5, p.growth[2][3] = 1.5;
     break;
   case Wedge::octant: // Z, X, Y
     p.corner = {{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};

@@ -311,8 +311,11 @@ std::vector<FacePressure> WedgeContact::pressures(int k) const {
   std::vector<FacePressure> list;
   for (std::size_t first = 0; first < plane.points.size(); first += points_per_face) {
     double force = 0, energy = 0;
+    double touching = 0, whole = 0;
     for (std::size_t i = first; i < first + points_per_face; ++i) {
       const double distance = std::min(gap(plane, plane.points[i], displacement), 0.0);
+      whole += plane.points[i].area;
+      if (distance < 0) touching += plane.points[i].area;
       force -= stiffness_of(plane.points[i]) * distance;
       energy += stiffness_of(plane.points[i]) * distance * distance / 2;
     }
@@ -322,39 +325,71 @@ std::vector<FacePressure> WedgeContact::pressures(int k) const {
     for (int a = 0; a < 4; ++a)
       x[a] = mesh.nodes[mesh.surface[f][a]] + of_node(displacement, mesh.surface[f][a]);
     const double area = std::abs(dot(cross(x[2] - x[0], x[3] - x[1]), plane.normal)) / 2;
-    if (area > 0) list.push_back({f, force / area, area, energy});
+    if (area > 0) list.push_back({f, force / area, area, energy, touching / whole});
   }
   return list;
 }
 
 // The area is not that of the faces in contact: a face across the contact edge is tilted, lies on the plane
-// with its inner side alone, and the radius would be half a face too small. But A is what spreads the force
-// over the pressures found: with a profile p = p_0 (1 - s)^beta, s the share of the area outside which p is
-// larger, int p^n dA = A p_0^n/(n beta + 1), so that
-//   A = (int p)^2/int p^2 (beta + 1)^2/(2 beta + 1),   int p int p^3/(int p^2)^2 = (2 beta + 1)^2/((beta +
-//   1)(3 beta + 1)),
-// whatever the shape of the contact. beta is 0 for an even pressure and 1/2 for Hertz's, the most peaked.
+// with its inner side alone, and the radius would be half a face too small. So the area is taken from the
+// pressures, in two ways that are exact for different profiles and too small for others; the larger one
+// holds.
 Contact WedgeContact::contact(int k) const {
   Contact c;
-  double square = 0, cube = 0;
-  for (const FacePressure& f : pressures(k)) {
-    const double force = f.pressure * f.area;
-    c.force += force;
-    square += force * f.pressure;
-    cube += force * f.pressure * f.pressure;
+  const auto faces = pressures(k);
+  for (const FacePressure& f : faces) {
+    c.force += f.pressure * f.area;
     c.energy += f.energy;
     c.peak_pressure = std::max(c.peak_pressure, f.pressure);
   }
   if (!(c.force > 0)) return c;
-  const double ratio = std::max(c.force * cube / (square * square), 1.0);
-  const double a = 4 - 3 * ratio, b = 4 * (ratio - 1);
-  const double beta = a > 0 ? std::min((b + std::sqrt(b * b + a * b)) / (2 * a), 0.5) : 0.5;
-  const double area = c.force * c.force / square * (beta + 1) * (beta + 1) / (2 * beta + 1);
   const int wedges = planes[k].wedges;
   c.force *= wedges;
   c.energy *= wedges;
-  c.radius = std::sqrt(wedges * area / std::numbers::pi);
+  c.radius = std::sqrt(wedges * std::max(spread_area(faces), edge_area(faces)) / std::numbers::pi);
   return c;
+}
+
+/// The area over which the force spreads, whatever its shape. With a profile p = p_0 (1 - s)^beta, s the
+/// share of the area in which p is larger, int p^n dA = A p_0^n/(n beta + 1), so that
+///   A = (int p)^2/int p^2 (beta + 1)^2/(2 beta + 1),
+///   int p int p^3/(int p^2)^2 = (2 beta + 1)^2/((beta + 1)(3 beta + 1)).
+/// beta is 0 for an even pressure and 1/2 for Hertz's, the most peaked.
+double WedgeContact::spread_area(const std::vector<FacePressure>& faces) {
+  double force = 0, square = 0, cube = 0;
+  for (const auto& [face, p, area, energy, touching] : faces) {
+    force += p * area;
+    square += p * p * area;
+    cube += p * p * p * area;
+  }
+  const double ratio = std::max(force * cube / (square * square), 1.0);
+  const double a = 4 - 3 * ratio, b = 4 * (ratio - 1);
+  const double beta = a > 0 ? std::min((b + std::sqrt(b * b + a * b)) / (2 * a), 0.5) : 0.5;
+  return force * force / square * (beta + 1) * (beta + 1) / (2 * beta + 1);
+}
+
+/// The faces wholly in contact, and of the others the share that touches, or that would carry their force at
+/// the pressure of whole neighbours: for a pressure that does not fall towards the contact edge, but may vary
+/// inside.
+double WedgeContact::edge_area(const std::vector<FacePressure>& faces) const {
+  std::vector<double> whole_pressure(mesh.nodes.size(), 0.0), whole_faces(mesh.nodes.size(), 0.0);
+  for (const auto& [face, p, area, energy, touching] : faces)
+    if (touching == 1)
+      for (const int node : mesh.surface[face]) {
+        whole_pressure[node] += p;
+        whole_faces[node] += 1;
+      }
+  double sum = 0;
+  for (const auto& [face, p, area, energy, touching] : faces) {
+    double beside = 0, count = 0;
+    for (const int node : mesh.surface[face]) {
+      beside += whole_pressure[node];
+      count += whole_faces[node];
+    }
+    const double loaded = count > 0 ? std::min(1.0, p * count / beside) : 0;
+    sum += area * std::max(touching, loaded);
+  }
+  return sum;
 }
 
 } // namespace platen::fe

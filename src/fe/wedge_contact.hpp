@@ -23,6 +23,7 @@ struct FacePressure {
   double pressure; ///< mean over the face (Pa)
   double area;     ///< as it lies now (R0^2)
   double energy;   ///< of the penetration (R0^3 Pa)
+  double touching; ///< share of it that penetrates
 };
 
 class WedgeContact : Equilibrium {
@@ -76,6 +77,8 @@ class WedgeContact : Equilibrium {
   double stiffness_of(const Point&) const;
   /// Negative where the point penetrates; displacements x, y, z of each node.
   double gap(const Plane&, const Point&, const std::vector<double>& displacement) const;
+  static double spread_area(const std::vector<FacePressure>&);
+  double edge_area(const std::vector<FacePressure>&) const;
   Evaluation evaluate(const std::vector<double>& x, Residual&) override;
   bool linearise(const Residual&) override;
   bool solve_linear(std::span<double> rhs_to_solution) override;

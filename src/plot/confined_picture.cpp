@@ -243,7 +243,8 @@ void contacts_picture(const press::Curve& curve, const std::filesystem::path& fi
   std::string script =
       terminal(file, 760, 900) +
       fmt::format("set border 3 lc rgb '{0}' lw 1\nset tics nomirror out scale 0.5 tc rgb '{0}'\n"
-                  "set grid xtics ytics lc rgb '#e3e7eb' lt 1 lw 1\nset key left top Left reverse samplen 2 "
+                  "set grid xtics ytics lc rgb '#e3e7eb' lt 1 lw 1\nset key outside center top horizontal "
+                  "Left reverse samplen 2 "
                   "tc rgb '{0}'\nset xrange [0:*]\nset yrange [0:*]\nset lmargin at screen 0.13\n"
                   "set rmargin at screen 0.96\n",
                   ink);
@@ -261,7 +262,13 @@ void contacts_picture(const press::Curve& curve, const std::filesystem::path& fi
                           p.*plane.force > 0 ? p.*plane.pressure / curve.sigma_ref_Pa : 0,
                           p.*plane.radius / R, p.*plane.force / unit);
     }
-    if (!touched) continue;
+    // Planes along y that do what those along x do are drawn once.
+    const bool again =
+        plane.force == &P::force_y_N &&
+        std::all_of(curve.points.begin(), curve.points.end(), [](const auto& p) {
+          return p.force_y_N == 0 || (p.force_y_N == p.force_x_N && p.delta_y_m == p.delta_x_m);
+        });
+    if (!touched || again) continue;
     shown.push_back(&plane);
     script += fmt::format("${} << EOD\n{}EOD\n", plane.name, data);
   }

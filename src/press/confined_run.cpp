@@ -124,7 +124,6 @@ fe::StepReport ConfinedRun::advance(double time) {
   }
   fe::StepReport report = contact.solve(heights, std::move(guess));
   count(report, counted);
-  if (getenv("DBG") && report.iterations > 7) { fprintf(stderr, "t %.5f step %.5f conv %d %s:", time, step, report.converged, report.why.c_str()); for (double r : report.residuals) fprintf(stderr, " %.1e", r); fprintf(stderr, "\n"); }
   if (!report.converged) return report;
   for (std::size_t i = 0; i < now.u.size(); ++i) now.change[i] = contact.u[i] - now.u[i];
   now.step = step;

@@ -52,9 +52,7 @@ TEST(CaseCard, RefusesAPathThatCannotBePressed) {
             "c.toml, line 8: [output] fields_at goes to 0.2, beyond delta_bar_max = 0.1");
 }
 
-TEST(CaseCard, RefusesWhatIsNotThereYet) {
-  EXPECT_EQ(refusal("platen = 1\nexperiment = \"die\"\nmaterial = \"base-case\"\nradius_m = 1"),
-            "c.toml, line 2: experiment = \"die\" is not available yet; available are: simple, local");
+TEST(CaseCard, RefusesAForceInASimplePress) {
   EXPECT_NE(refusal(head + "[path]\nforce_max_N = 1").find("is for experiment = \"local\""),
             std::string::npos);
 }

@@ -99,7 +99,7 @@ TEST(FieldsVtu, HaveTheZoneOfMostGaussPoints) {
 TEST(FieldsVtu, AreNamedByTheirOverlap) {
   press::Snapshot s;
   s.delta_bar = 0.1;
-  EXPECT_EQ(press::fields_name(s), "fields-0.1.vtu");
+  EXPECT_EQ(press::fields_name(s.delta_bar), "fields-0.1.vtu");
   EXPECT_NE(press::fields_series({s}).find("<DataSet timestep=\"0.1\" part=\"0\" file=\"fields-0.1.vtu\"/>"),
             std::string::npos);
 }

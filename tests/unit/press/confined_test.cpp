@@ -1,0 +1,162 @@
+// The confined presses on small meshes: what must hold whatever the mesh.
+
+#include "press/confined.hpp"
+
+#include "core/error.hpp"
+#include "press/case_card.hpp"
+#include "press/curve_csv.hpp"
+#include "press/fields_vtu.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+using namespace platen;
+
+namespace {
+
+press::Case small_case(const char* experiment, double delta_bar_max) {
+  press::Case c;
+  c.experiment = experiment;
+  c.material = {"steel", material::VonMises{200, 0.3, 1}, {}};
+  c.radius_m = 1;
+  c.delta_bar_max = delta_bar_max;
+  c.elements = 200;
+  return c;
+}
+
+std::string message_of(const char* card) {
+  try {
+    (void)press::read_case(core::parse_toml(card, "case.toml"));
+  } catch (const core::InvalidInput& problem) { return problem.what(); }
+  return "";
+}
+
+} // namespace
+
+TEST(Confined, WorkIsStoredOrDissipated) {
+  for (const char* experiment : {"simple", "die", "hydrostatic"}) {
+    const auto result = press::confined(small_case(experiment, 0.06));
+    EXPECT_FALSE(result.failure) << *result.failure;
+    const auto& end = result.curve.points.back();
+    EXPECT_NEAR((end.stored_J + end.dissipated_J) / end.work_J, 1, 0.025) << experiment;
+    EXPECT_GT(end.dissipated_J, 0.3 * end.work_J);
+  }
+}
+
+TEST(Confined, MorePlanesPushBackHarder) {
+  const double simple = press::confined(small_case("simple", 0.16)).curve.points.back().force_N;
+  const auto die = press::confined(small_case("die", 0.16)).curve.points.back();
+  const auto hydrostatic = press::confined(small_case("hydrostatic", 0.16)).curve.points.back();
+  EXPECT_GT(die.force_N, simple);
+  EXPECT_GT(hydrostatic.force_N, die.force_N);
+  EXPECT_GT(die.force_x_N, 0);
+  EXPECT_EQ(die.force_x_N, die.force_y_N);
+  EXPECT_EQ(hydrostatic.force_N, hydrostatic.force_x_N);
+  EXPECT_LT(die.force_x_N, die.force_N);
+}
+
+TEST(Confined, TriaxialContainsTheOthers) {
+  // The octant is another mesh than the wedges: equal up to discretisation.
+  const auto hydrostatic = press::confined(small_case("hydrostatic", 0.1)).curve.points.back();
+  press::Case c = small_case("triaxial", 0);
+  c.delta_bar_z = c.delta_bar_x = c.delta_bar_y = {0.1};
+  c.delta_bar_max = press::path_length(c);
+  const auto same = press::confined(c).curve.points.back();
+  EXPECT_NEAR(same.force_N / hydrostatic.force_N, 1, 1e-9); // the same wedge
+  c.delta_bar_y = {0.1 * (1 - 1e-9)};
+  c.delta_bar_max = press::path_length(c);
+  const auto octant = press::confined(c).curve.points.back();
+  EXPECT_NEAR(octant.force_N / hydrostatic.force_N, 1, 0.08);
+  EXPECT_NEAR(octant.force_x_N / octant.force_N, 1, 0.02);
+  EXPECT_NEAR(octant.force_y_N / octant.force_N, 1, 0.02);
+}
+
+TEST(Confined, HistoriesTurnAndPlanesMayBeAbsent) {
+  press::Case c = small_case("triaxial", 0);
+  c.delta_bar_z = {0.05, 0.05, 0.045};
+  c.delta_bar_x = {0, 0.04, 0.04};
+  c.delta_bar_max = press::path_length(c);
+  EXPECT_NEAR(c.delta_bar_max, 0.05 + 0.04 + 0.005, 1e-15);
+  const auto result = press::confined(c);
+  ASSERT_FALSE(result.failure) << *result.failure;
+  double first_x = 0;
+  for (const auto& p : result.curve.points) {
+    EXPECT_EQ(p.force_y_N, 0); // no planes along y
+    EXPECT_EQ(p.cell_filling, 0);
+    if (p.delta_x_m == 0 && p.branch == press::Branch::loading) first_x = p.force_x_N;
+  }
+  const auto& end = result.curve.points.back();
+  EXPECT_GT(end.force_x_N, 5 * first_x);
+  EXPECT_EQ(end.branch, press::Branch::unloading);
+  double most = 0;
+  for (const auto& p : result.curve.points) most = std::max(most, p.force_N);
+  EXPECT_LT(end.force_N, 0.5 * most);
+}
+
+TEST(Confined, UnloadsToNothingAndLoadsAgain) {
+  press::Case c = small_case("die", 0.1);
+  c.unload_from = {0.1};
+  c.reload = true;
+  const auto result = press::confined(c);
+  ASSERT_FALSE(result.failure);
+  double top = 0, least = 1e9, again = 0, work = 0;
+  for (const auto& p : result.curve.points) {
+    if (p.branch == press::Branch::loading) top = p.force_N;
+    if (p.branch == press::Branch::unloading) least = std::min(least, p.force_N);
+    if (p.branch == press::Branch::reloading) again = p.force_N, work = p.work_J;
+  }
+  EXPECT_LT(least, 0.01 * top);
+  EXPECT_NEAR(again / top, 1, 0.02);
+  EXPECT_GT(work, 0);
+}
+
+TEST(Confined, CurveAndFieldsAreWhole) {
+  press::Case c = small_case("die", 0.05);
+  c.fields_at = {0.05};
+  const auto result = press::confined(c);
+  const auto back = press::parse_curve(press::curve_csv(result.curve), "curve.csv", {});
+  ASSERT_EQ(back.points.size(), result.curve.points.size());
+  EXPECT_EQ(back.points.back().force_x_N, result.curve.points.back().force_x_N);
+  EXPECT_EQ(back.points.back().cell_filling, result.curve.points.back().cell_filling);
+  ASSERT_EQ(result.spatial.size(), 1u);
+  const std::string vtu = press::fields_vtu(result.spatial[0], 1);
+  EXPECT_NE(vtu.find("</VTKFile>"), std::string::npos);
+  // The force is the pressure over the faces, eight wedges to a plane.
+  const auto& s = result.spatial[0];
+  EXPECT_EQ(s.copies.size(), 16u);
+  EXPECT_NEAR(s.plane[2], 0.95, 1e-15);
+}
+
+TEST(Confined, CellAndItsEnds) {
+  EXPECT_NEAR(press::zero_porosity("die"), 0.4764012, 1e-7);
+  EXPECT_NEAR(press::zero_porosity("hydrostatic"), 0.1940040, 1e-7);
+  EXPECT_NEAR(press::cell_volume({0, 0, press::zero_porosity("die")}), 1, 1e-12);
+  const double d = press::zero_porosity("hydrostatic");
+  EXPECT_NEAR(press::cell_volume({d, d, d}), 1, 1e-12);
+}
+
+TEST(Confined, CardsSayWhatIsWrong) {
+  const std::string head = "platen = 1\nradius_m = 1e-3\nmaterial = \"von-mises-100\"\n";
+  const auto message = [&](const std::string& rest) { return message_of((head + rest).c_str()); };
+  EXPECT_EQ(message("experiment = \"die\""), "");
+  EXPECT_EQ(message("experiment = \"triaxial\"\n[path]\ndelta_bar = [0.1, 0.05]\n"), "");
+  EXPECT_NE(message("experiment = \"die\"\n[path]\ndelta_bar_max = 0.6").find("0.764 of the volume"),
+            std::string::npos);
+  EXPECT_NE(message("experiment = \"hydrostatic\"\n[path]\ndelta_bar_max = 0.3").find("goes down to 0.9"),
+            std::string::npos);
+  EXPECT_NE(message("experiment = \"triaxial\"").find("needs [path] delta_bar"), std::string::npos);
+  EXPECT_NE(message("experiment = \"triaxial\"\n[path]\ndelta_bar = [0.1, 0.1]\n").find("waypoint 2 nothing"),
+            std::string::npos);
+  EXPECT_NE(message("experiment = \"triaxial\"\n[path]\ndelta_bar = [0.1]\ndelta_bar_x = [0.1, 0.2]\n")
+                .find("give as many"),
+            std::string::npos);
+  EXPECT_NE(message("experiment = \"triaxial\"\n[path]\ndelta_bar = [-0.1]\n"), "");
+  EXPECT_NE(
+      message("experiment = \"triaxial\"\n[path]\ndelta_bar = [0.4]\ndelta_bar_x = [0.4]\ndelta_bar_y = "
+              "[0.4]\n"),
+      "");
+  EXPECT_NE(message("experiment = \"diel\"").find("die"), std::string::npos);
+}
