@@ -104,8 +104,11 @@ case_card base-case '[path]' 'delta_bar_max = 0.51'
 answers 2 '(0, 0.5]' "$platen" press case.toml -o out
 case_card base-case '[path]' 'delta_bar_max = 0'
 answers 2 '(0, 0.5]' "$platen" press case.toml -o out
+case_card base-case '[path]' 'delta_bar_max = 0.9'
 sed -i 's/"simple"/"die"/' case.toml
-answers 2 'not available yet' "$platen" press case.toml -o out
+answers 2 'leaves the cell 0.273 of the volume' "$platen" press case.toml -o out
+sed -i 's/"die"/"dye"/' case.toml
+answers 2 "did you mean 'die'" "$platen" press case.toml -o out
 has_not out
 
 # --- small contacts ---
