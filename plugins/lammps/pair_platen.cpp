@@ -1,0 +1,334 @@
+#include "pair_platen.h"
+
+#include "contact_step.hpp"
+#include "debian/lammps_private.h"
+#include "lammps_input.hpp"
+
+#include "atom.h"
+#include "comm.h"
+#include "force.h"
+#include "memory.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+namespace dem = platen::dem;
+namespace law = platen::law;
+
+namespace {
+
+std::string history_id(int instance, bool made) {
+  return (made ? "NEIGH_HISTORY_PLATEN" : "NEIGH_HISTORY_PLATEN_DUMMY") + std::to_string(instance);
+}
+
+/// The law of one kind, or of any.
+template <class Law> PLATEN_HOT const Law& law_at(const dem::LawTable& table, const dem::Terms& t, int a, int b) {
+  if constexpr (std::is_same_v<Law, law::AnyLaw>) return table.law_of(a, b);
+  else return *static_cast<const Law*>(t.law);
+}
+
+} // namespace
+
+PairPlaten::PairPlaten(LAMMPS* host) : Pair(host) {
+  single_enable = 1;
+  no_virial_fdotr_compute = 1;
+  centroidstressflag = CENTROID_NOTAVAIL;
+  finitecutflag = 1;
+  restartinfo = 0; // cards are read anew; what contacts remember is in the restart file, with NEIGH_HISTORY
+  single_extra = 8;
+  svector = new double[8];
+  modify->add_fix(history_id(instance_me, false) + " all DUMMY"); // holds the place of NEIGH_HISTORY in the order
+}
+
+PairPlaten::~PairPlaten() {
+  if (copymode) return;
+  warn_beyond(true);
+  delete[] svector;
+  modify->delete_fix(history_id(instance_me, history_made_));
+  if (allocated) {
+    memory->destroy(setflag);
+    memory->destroy(cutsq);
+  }
+}
+
+void PairPlaten::allocate() {
+  allocated = 1;
+  const int n = atom->ntypes + 1;
+  memory->create(setflag, n, n, "pair:setflag");
+  memory->create(cutsq, n, n, "pair:cutsq");
+  for (int i = 0; i < n; i++)
+    for (int j = 0; j < n; j++) setflag[i][j] = 0;
+  contact_of_types_.assign(static_cast<std::size_t>(n * n), -1);
+}
+
+void PairPlaten::settings(int narg, char**) {
+  if (narg != 0) error->all(FLERR, std::string("Illegal pair_style command: pair_style platen takes no arguments"));
+}
+
+void PairPlaten::coeff(int narg, char** arg) {
+  const std::string usage = "Illegal pair_coeff command: pair_coeff I J CARD_I [CARD_J] [damping E] [friction MU]";
+  if (narg < 3) error->all(FLERR, usage);
+  if (!allocated) allocate();
+  int ilo, ihi, jlo, jhi;
+  utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
+  utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
+  dem::Contact contact;
+  platen_try(error, FLERR, "pair_coeff platen", [&] {
+    contact.one = platen::fit::read_law_card(arg[2]);
+    contact.two = contact.one;
+  });
+  int next = 3;
+  const auto keyword = [](const std::string& word) { return word == "damping" || word == "friction"; };
+  if (next < narg && !keyword(arg[next])) {
+    platen_try(error, FLERR, "pair_coeff platen", [&] { contact.two = platen::fit::read_law_card(arg[next]); });
+    ++next;
+  }
+  for (; next < narg; next += 2) {
+    if (!keyword(arg[next]) || next + 1 >= narg) error->all(FLERR, usage);
+    const double value = utils::numeric(FLERR, arg[next + 1], false, lmp);
+    (arg[next] == std::string("damping") ? contact.restitution : contact.friction) = value;
+  }
+  platen_try(error, FLERR, "pair_coeff platen", [&] { dem::check(contact); });
+  int count = 0;
+  for (int i = ilo; i <= ihi; i++)
+    for (int j = std::max(jlo, i); j <= jhi; j++) {
+      contact_of_types_[static_cast<std::size_t>(i * (atom->ntypes + 1) + j)] = static_cast<int>(contacts_.size());
+      setflag[i][j] = 1;
+      count++;
+    }
+  if (count == 0) error->all(FLERR, std::string("Incorrect args for pair coefficients: I must not be above J"));
+  contacts_.push_back(std::move(contact));
+}
+
+void PairPlaten::init_style() {
+  if (!atom->radius_flag || !atom->rmass_flag)
+    error->all(FLERR, std::string("Pair platen requires atom attributes radius, rmass: use atom_style sphere"));
+  if (force->newton_pair)
+    error->all(FLERR, std::string("Pair platen requires newton pair off: put 'newton off' before the box is made"));
+  units_ = platen_units(error, update, "Pair platen");
+  any_friction_ = any_damping_ = false;
+  for (const auto& contact : contacts_) {
+    any_friction_ = any_friction_ || contact.friction > 0;
+    any_damping_ = any_damping_ || contact.restitution < 1;
+  }
+  if ((any_friction_ || any_damping_) && comm->ghost_velocity == 0)
+    error->all(FLERR, std::string("Pair platen with damping or friction requires ghost atoms store velocity: use "
+                                  "comm_modify vel yes"));
+
+  const int request = neighbor->request(this, instance_me);
+  neighbor->requests[request]->size = 1;
+  neighbor->requests[request]->history = 1;
+  if (!history_made_) {
+    modify->replace_fix(history_id(instance_me, false),
+                        history_id(instance_me, true) + " all NEIGH_HISTORY " + std::to_string(dem::memory_size), 1);
+    history_made_ = true;
+  }
+  history_ = static_cast<FixNeighHistory*>(modify->fix[modify->find_fix(history_id(instance_me, true))]);
+  history_->pair = this;
+
+  const int freeze = modify->find_fix_by_style("^freeze");
+  freeze_ = freeze < 0 ? 0 : modify->fix[freeze]->groupbit;
+
+  std::vector<double> mine(static_cast<std::size_t>(atom->ntypes) + 1, 0);
+  for (const char* inserter : {"^pour", "^deposit"})
+    if (const int fix = modify->find_fix_by_style(inserter); fix >= 0)
+      for (int type = 1; type <= atom->ntypes; type++) {
+        int asked = type;
+        mine[static_cast<std::size_t>(type)] = std::max(
+            mine[static_cast<std::size_t>(type)], *static_cast<double*>(modify->fix[fix]->extract("radius", asked)));
+      }
+  for (int i = 0; i < atom->nlocal; i++) {
+    double& largest = mine[static_cast<std::size_t>(atom->type[i])];
+    largest = std::max(largest, atom->radius[i]);
+  }
+  largest_radius_ = mine;
+  MPI_Allreduce(mine.data(), largest_radius_.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MAX, world);
+
+  beyond_.resize(contacts_.size());
+  warned_.resize(contacts_.size());
+  laws_.reset(atom->ntypes, contacts_, contact_of_types_, units_);
+  class_of_.clear();
+}
+
+double PairPlaten::init_one(int i, int j) {
+  if (setflag[i][j] == 0) error->all(FLERR, std::string("All pair coeffs are not set: pair platen does not mix types"));
+  return largest_radius_[static_cast<std::size_t>(i)] + largest_radius_[static_cast<std::size_t>(j)];
+}
+
+double PairPlaten::atom2cut(int i) { return 2 * atom->radius[i]; }
+double PairPlaten::radii2cut(double r1, double r2) { return r1 + r2; }
+
+void PairPlaten::find_classes() {
+  const int all = atom->nlocal + atom->nghost;
+  class_of_.resize(static_cast<std::size_t>(all));
+  platen_try(
+      error, FLERR, "Pair platen",
+      [&] {
+        int last = -1, type = -1;
+        double radius = -1;
+        for (int i = 0; i < all; i++) {
+          if (last < 0 || atom->type[i] != type || atom->radius[i] != radius)
+            last = laws_.class_of(type = atom->type[i], radius = atom->radius[i]);
+          class_of_[static_cast<std::size_t>(i)] = last;
+        }
+      },
+      true);
+}
+
+void PairPlaten::beyond(int contact) { beyond_[static_cast<std::size_t>(contact)]++; }
+
+/// Once for each pair_coeff when contacts first leave the validity of its card, and their number at the end.
+void PairPlaten::warn_beyond(bool last) {
+  for (std::size_t c = 0; c < beyond_.size(); c++) {
+    if (warned_[c] && !last) continue;
+    long all = 0;
+    MPI_Allreduce(&beyond_[c], &all, 1, MPI_LONG, MPI_SUM, world);
+    if (all == 0) continue;
+    warned_[c] = true;
+    if (comm->me != 0) continue;
+    const std::string card = contacts_[c].one.file;
+    if (last) error->warning(FLERR, std::to_string(all) + " contacts went beyond the validity of " + card);
+    else
+      error->warning(FLERR, "Contacts are beyond the validity of " + card +
+                                "; the law goes on monotonically, their number follows at the end");
+  }
+}
+
+void PairPlaten::compute(int eflag, int vflag) {
+  ev_init(eflag, vflag);
+  if (neighbor->ago == 0 || class_of_.size() != static_cast<std::size_t>(atom->nlocal + atom->nghost)) {
+    find_classes();
+    warn_beyond(false);
+  }
+  const int kind = laws_.only_kind();
+  if (kind < 0) {
+    if (laws_.classes() > 0) loop<law::AnyLaw>();
+    return;
+  }
+  [&]<std::size_t... I>(std::index_sequence<I...>) { // one law alone: its own loop
+    ((static_cast<int>(I) == kind ? loop<std::variant_alternative_t<I, law::AnyLaw>>() : void()), ...);
+  }(std::make_index_sequence<std::variant_size_v<law::AnyLaw>>{});
+}
+
+template <class Law> void PairPlaten::loop() {
+  double *const *x = atom->x, *const *v = atom->v, **f = atom->f, *const *omega = atom->omega, **torque = atom->torque;
+  const double *radius = atom->radius, *rmass = atom->rmass;
+  const int *mask = atom->mask, nlocal = atom->nlocal, classes = laws_.classes();
+  const dem::Terms* const terms = laws_.terms();
+  const int* const class_of = class_of_.data();
+  const dem::Units u = units_;
+  const double dt = update->setupflag ? 0.0 : update->dt; // setup moves nothing
+  const bool friction = any_friction_, damping = any_damping_;
+
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    const double xi = x[i][0], yi = x[i][1], zi = x[i][2], radius_i = radius[i];
+    double push[3] = {}, turn[3] = {};
+    int* const touch = history_->firstflag[i];
+    dem::Memory* const remembered = reinterpret_cast<dem::Memory*>(history_->firstvalue[i]);
+    const int* const neighbours = list->firstneigh[i];
+    const int count = list->numneigh[i];
+    const dem::Terms* const row = terms + static_cast<std::ptrdiff_t>(class_of[i]) * classes;
+
+    for (int jj = 0; jj < count; jj++) {
+      const int j = neighbours[jj] & NEIGHMASK;
+      const double dx = xi - x[j][0], dy = yi - x[j][1], dz = zi - x[j][2];
+      const double rsq = dx * dx + dy * dy + dz * dz, reach = radius_i + radius[j];
+      dem::Memory& m = remembered[jj];
+      if (rsq >= reach * reach) {
+        if (touch[jj]) touch[jj] = 0, m = {};
+        continue;
+      }
+      touch[jj] = 1;
+      const double r = std::sqrt(rsq), rinv = 1 / r;
+      const dem::Terms& t = row[class_of[j]];
+      const double before = m.gamma_max;
+      const law::Response now = dem::normal(law_at<Law>(laws_, t, class_of[i], class_of[j]), t, u, reach - r, m);
+      if (t.gamma_valid < m.gamma_max && !(t.gamma_valid < before)) [[unlikely]] beyond(t.contact);
+      double F = now.force / u.force;
+      double fx, fy, fz;
+      if (friction || damping) {
+        const double n[3] = {dx * rinv, dy * rinv, dz * rinv};
+        double w[3] = {v[i][0] - v[j][0], v[i][1] - v[j][1], v[i][2] - v[j][2]};
+        const double v_n = w[0] * n[0] + w[1] * n[1] + w[2] * n[2];
+        if (damping) {
+          double mass = rmass[i] * rmass[j] / (rmass[i] + rmass[j]);
+          if (mask[i] & freeze_) mass = rmass[j];
+          if (mask[j] & freeze_) mass = rmass[i];
+          F = dem::damped(t, u, now, F, mass, v_n);
+        }
+        fx = F * n[0], fy = F * n[1], fz = F * n[2];
+        if (friction) {
+          const double radius_j = radius[j];
+          const double wr[3] = {radius_i * omega[i][0] + radius_j * omega[j][0],
+                                radius_i * omega[i][1] + radius_j * omega[j][1],
+                                radius_i * omega[i][2] + radius_j * omega[j][2]};
+          w[0] -= v_n * n[0] + n[2] * wr[1] - n[1] * wr[2];
+          w[1] -= v_n * n[1] + n[0] * wr[2] - n[2] * wr[0];
+          w[2] -= v_n * n[2] + n[1] * wr[0] - n[0] * wr[1];
+          dem::slide(t, u, now.contact_radius, F, n, w, dt, m);
+          const double* s = m.tangential;
+          fx += s[0], fy += s[1], fz += s[2];
+          const double torque_n[3] = {n[1] * s[2] - n[2] * s[1], n[2] * s[0] - n[0] * s[2],
+                                      n[0] * s[1] - n[1] * s[0]};
+          for (int k = 0; k < 3; k++) turn[k] -= radius_i * torque_n[k];
+          if (j < nlocal)
+            for (int k = 0; k < 3; k++) torque[j][k] -= radius_j * torque_n[k];
+        }
+      } else {
+        const double per = F * rinv;
+        fx = per * dx, fy = per * dy, fz = per * dz;
+      }
+      push[0] += fx, push[1] += fy, push[2] += fz;
+      if (j < nlocal) f[j][0] -= fx, f[j][1] -= fy, f[j][2] -= fz;
+      if (evflag) ev_tally_xyz(i, j, nlocal, 0, 0.0, 0.0, fx, fy, fz, dx, dy, dz);
+    }
+    for (int k = 0; k < 3; k++) f[i][k] += push[k];
+    if (friction)
+      for (int k = 0; k < 3; k++) torque[i][k] += turn[k];
+  }
+}
+
+/// Reads what the contact remembers and changes nothing. svector: overlap, normal force of the law, contact radius,
+/// mean pressure, work that unloading would not return, tangential force (3), all in units of the run.
+double PairPlaten::single(int i, int j, int, int, double rsq, double, double, double& fforce) {
+  fforce = 0;
+  std::fill(svector, svector + single_extra, 0.0);
+  const double reach = atom->radius[i] + atom->radius[j];
+  const auto known = static_cast<int>(class_of_.size());
+  if (rsq >= reach * reach || i >= known || j >= known) return 0;
+  dem::Memory m{};
+  double sign = 1;
+  const auto find = [&](int of, int other) {
+    if (of >= atom->nlocal) return false;
+    for (int jj = 0; jj < list->numneigh[of]; jj++)
+      if ((list->firstneigh[of][jj] & NEIGHMASK) == other) {
+        m = reinterpret_cast<const dem::Memory*>(history_->firstvalue[of])[jj];
+        return true;
+      }
+    return false;
+  };
+  if (!find(i, j) && find(j, i)) sign = -1;
+  const double r = std::sqrt(rsq);
+  const int a = class_of_[static_cast<std::size_t>(i)], b = class_of_[static_cast<std::size_t>(j)];
+  const law::Response now =
+      law::evaluate(laws_.law_of(a, b), law::State{0, m.gamma_max}, (reach - r) * units_.length);
+  const double F = now.force / units_.force;
+  svector[0] = reach - r;
+  svector[1] = F;
+  svector[2] = now.contact_radius / units_.length;
+  svector[3] = now.mean_pressure * units_.length * units_.length / units_.force;
+  svector[4] = now.dissipated_work / (units_.force * units_.length);
+  for (int k = 0; k < 3; k++) svector[5 + k] = sign * m.tangential[k];
+  fforce = F / r;
+  return 0;
+}
+
+double PairPlaten::memory_usage() {
+  return static_cast<double>(class_of_.size()) * sizeof(int) +
+         static_cast<double>(laws_.classes()) * laws_.classes() * sizeof(law::AnyLaw) / 2;
+}

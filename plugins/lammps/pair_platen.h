@@ -1,0 +1,46 @@
+#pragma once
+// pair_style platen: contact laws of Platen between spheres.
+
+#include "contact_laws.hpp"
+#include "pair.h"
+
+namespace LAMMPS_NS {
+
+class PairPlaten : public Pair {
+ public:
+  explicit PairPlaten(LAMMPS*);
+  ~PairPlaten() override;
+  PairPlaten(const PairPlaten&) = delete;
+  PairPlaten& operator=(const PairPlaten&) = delete;
+
+  void compute(int eflag, int vflag) override;
+  void settings(int, char**) override;
+  void coeff(int, char**) override;
+  void init_style() override;
+  double init_one(int, int) override;
+  double single(int, int, int, int, double, double, double, double& fforce) override;
+  double memory_usage() override;
+  double atom2cut(int i) override;
+  double radii2cut(double, double) override;
+
+ private:
+  void allocate();
+  void find_classes();
+  void warn_beyond(bool last);
+  void beyond(int contact);
+  template <class Law> void loop();
+
+  std::vector<platen::dem::Contact> contacts_;
+  std::vector<int> contact_of_types_;
+  platen::dem::LawTable laws_;
+  platen::dem::Units units_;
+  std::vector<int> class_of_; // of owned and ghost atoms
+  std::vector<double> largest_radius_;
+  std::vector<long> beyond_; // contacts that left the validity of their card, by contact; on this rank
+  std::vector<bool> warned_;
+  bool history_made_ = false, any_friction_ = false, any_damping_ = false;
+  int freeze_ = 0; // group bit
+  class FixNeighHistory* history_ = nullptr;
+};
+
+} // namespace LAMMPS_NS
