@@ -33,7 +33,7 @@ pair_style platen
 pair_coeff 1 1 {law_card}
 timestep 1e-4
 group second id 2
-variable move equal {-depth/length!r}*(v_t*sin(PI*v_t*3/2)^2)
+variable move equal {-depth/length!r}*v_t*(1-0.6*sin(PI*v_t*3)^2)
 variable t equal step/300
 variable rate equal 0
 fix move second move variable v_move NULL NULL v_rate NULL NULL
