@@ -1,8 +1,9 @@
 #!/bin/bash
 # CPU time of one contact in one step: pair_style platen beside LAMMPS's own contact styles, in the same LAMMPS.
 #   bench/lammps/benchmark.sh [FOLDER OF THE PLUG-IN] [REPEATS]
-# 32,768 equal spheres in a periodic box, packed by half a per cent of disorder around a simple cubic lattice that
-# is compressed to about 93,000 contacts; 250 steps. The styles take turns, and the least time of each is given.
+# 32,768 equal spheres in a periodic box, on a simple cubic lattice pressed by 2 % to 98,304 contacts, with random
+# velocities, so that contacts load, unload and slide; the second 250 steps. The styles take turns, and the least
+# time of each is given: LAMMPS's own wall time of "Pair", so leave the machine alone meanwhile.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 plugin=$(realpath "${1:-$here/../../build/release/lammps}")
@@ -15,7 +16,6 @@ export OMP_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM
 card() { printf 'platen = 1\nlaw = "%s"\n\n[parameters]\n%s\n' "$1" "$2" >"$out/$1.toml"; }
 card edmans-sinka $'sigma_ref_Pa = 1e6\nE_Pa = 1e8\nnu = 0.3\nk = 6.4\ndelta_t = 0.12\na = 2.4'
 card agarwal $'E_Pa = 1e8\nnu = 0.3\nsigma_y_Pa = 1e6'
-card hertz $'E_Pa = 1e8\nnu = 0.3'
 
 declare -A style=(
   [gran/hertz/history]='pair_style gran/hertz/history 7.3e7 NULL 0 NULL 0.3 0
@@ -23,13 +23,10 @@ pair_coeff * *'
   [granular]='pair_style granular
 pair_coeff * * hertz/material 1e8 0 0.3 tangential mindlin NULL 0 0.3 damping velocity'
 )
-for law in edmans-sinka agarwal hertz; do
+for law in edmans-sinka agarwal; do
   style[platen/$law]="include $plugin/platen.lmp
 pair_style platen
 pair_coeff * * $out/$law.toml friction 0.3"
-  style[platen/$law/smooth]="include $plugin/platen.lmp
-pair_style platen
-pair_coeff * * $out/$law.toml"
 done
 
 input() { # STYLE: random velocities make contacts load, unload, slide
@@ -45,8 +42,6 @@ create_box 1 box
 create_atoms 1 box
 set group all diameter 2e-3
 set group all density 1500
-velocity all create 1 4711 loop geom
-velocity all scale 1
 variable vx atom ${speed}*(random(0,1,11)-0.5)
 variable vy atom ${speed}*(random(0,1,12)-0.5)
 variable vz atom ${speed}*(random(0,1,13)-0.5)
@@ -78,7 +73,7 @@ measure() { # STYLE RANKS: contacts, ns a contact and step in Pair, over all ran
 }
 
 printf '%-28s %10s %12s %12s\n' style contacts 'ns, 1 rank' 'ns, 2 ranks'
-styles=(gran/hertz/history granular platen/edmans-sinka platen/agarwal platen/hertz platen/edmans-sinka/smooth)
+styles=(gran/hertz/history granular platen/edmans-sinka platen/agarwal)
 declare -A best
 for ((r = 0; r < repeats; ++r)); do
   for name in "${styles[@]}"; do

@@ -118,7 +118,7 @@ std::unique_ptr<Prepared> prepare(const Contact& contact, int index, double R1, 
   std::visit(
       [&](const auto& l) {
         t.law = &l;
-        t.shear = eight_G(l.pair) * units.length * units.length / units.force;
+        t.shear = eight_G(l.pair) * units.length / units.force;
       },
       made->law);
   if (contact.friction > 0 && !(t.shear > 0 && std::isfinite(t.shear)))

@@ -27,7 +27,7 @@ struct Contact {
 /// A law for two radii, and what the contact loop needs beside it; in units of the host where not said otherwise.
 struct Terms {
   const void* law = nullptr; ///< of the type that `kind` says, SI; null: not given by the user
-  double shear = 0;          ///< 8 G*, of the tangential stiffness 8 G* a (Mindlin) [force/length^2]
+  double shear = 0;          ///< 8 G*: tangential stiffness over contact radius (Mindlin) [force/length/m]
   double damping = 0;        ///< c = damping sqrt(dF/dgamma m_eff) [-]
   double friction = 0;
   double gamma_valid = 0; ///< the card holds up to here [m]

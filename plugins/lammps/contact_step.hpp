@@ -24,16 +24,15 @@ struct Geometry {
   double v_t[3];  ///< sliding velocity of the first body over the second [length/time]
 };
 
-/// The normal force with damping, never attractive. Remembers the largest overlap.
+/// The law's response [SI]. Remembers the largest overlap.
 template <class Law>
-PLATEN_HOT law::Response normal(const Law& law, const Terms& t, const Units& u, double overlap, Memory& memory) {
+PLATEN_HOT law::Response normal(const Law& law, const Units& u, double overlap, Memory& memory) {
   const law::Response now = evaluate(law, law::State{0, memory.gamma_max}, overlap * u.length);
-  (void)t;
   memory.gamma_max = now.state.gamma_max;
   return now;
 }
 
-/// c = damping sqrt(dF/dgamma m): [force time/length]
+/// The normal force with viscous damping, c = damping sqrt(dF/dgamma m), and never attractive.
 PLATEN_HOT double damped(const Terms& t, const Units& u, const law::Response& now, double F, double mass, double v_n) {
   if (!(F > 0)) return F;
   const double damped = F - t.damping * std::sqrt(now.stiffness * u.length / u.force * mass) * v_n;
@@ -42,13 +41,14 @@ PLATEN_HOT double damped(const Terms& t, const Units& u, const law::Response& no
 
 /// The tangential force follows the sliding with stiffness 8 G* a. When a shrinks it shrinks with it (else unloading
 /// would leave more elastic energy than was put in: Thornton, Cummins & Cleary 2013), and friction limits it.
-PLATEN_HOT void slide(const Terms& t, const Units& u, double a, double F_n, const double n[3], const double v_t[3],
+PLATEN_HOT void slide(const Terms& t, double a, double F_n, const double n[3], const double v_t[3],
                       double dt, Memory& m) {
   double* f = m.tangential;
   const double along = f[0] * n[0] + f[1] * n[1] + f[2] * n[2]; // the contact plane has turned
-  const double k_t = t.shear * a / u.length;
-  const double keep = k_t < m.k_t ? k_t / m.k_t : 1.0;
-  for (int k = 0; k < 3; ++k) f[k] = (f[k] - along * n[k]) * keep - k_t * dt * v_t[k];
+  const double k_t = t.shear * a, more = k_t * dt;
+  double keep = 1;
+  if (k_t < m.k_t) keep = k_t / m.k_t;
+  for (int k = 0; k < 3; ++k) f[k] = (f[k] - along * n[k]) * keep - more * v_t[k];
   const double size2 = f[0] * f[0] + f[1] * f[1] + f[2] * f[2], limit = t.friction * F_n;
   if (size2 > limit * limit) {
     const double scale = limit / std::sqrt(size2);

@@ -149,7 +149,7 @@ template <class Law> void FixWallPlaten::loop() {
     const int c = laws_.class_of(atom->type[i], R);
     const dem::Terms& t = laws_.terms()[c * laws_.classes() + c];
     const double before = m.gamma_max;
-    const law::Response now = dem::normal(laws_.law_of(c, c), t, units_, R - distance, m);
+    const law::Response now = dem::normal(laws_.law_of(c, c), units_, R - distance, m);
     if (t.gamma_valid < m.gamma_max && !(t.gamma_valid < before)) beyond_++;
     double slip[3] = {v[0], v[1], v[2]};
     slip[axis_] -= cylinder_ ? 0 : velocity_;
@@ -161,7 +161,7 @@ template <class Law> void FixWallPlaten::loop() {
       slip[0] -= v_n * n[0] + R * (n[2] * w[1] - n[1] * w[2]);
       slip[1] -= v_n * n[1] + R * (n[0] * w[2] - n[2] * w[0]);
       slip[2] -= v_n * n[2] + R * (n[1] * w[0] - n[0] * w[1]);
-      dem::slide(t, units_, now.contact_radius, F, n, slip, dt, m);
+      dem::slide(t, now.contact_radius, F, n, slip, dt, m);
       const double* s = m.tangential;
       for (int k = 0; k < 3; k++) f[k] += s[k];
       atom->torque[i][0] -= R * (n[1] * s[2] - n[2] * s[1]);

@@ -221,6 +221,7 @@ template <class Law> void PairPlaten::loop() {
   const dem::Terms* const terms = laws_.terms();
   const int* const class_of = class_of_.data();
   const dem::Units u = units_;
+  const double per_force = 1 / u.force;
   const double dt = update->setupflag ? 0.0 : update->dt; // setup moves nothing
   const bool friction = any_friction_, damping = any_damping_;
 
@@ -247,9 +248,9 @@ template <class Law> void PairPlaten::loop() {
       const double r = std::sqrt(rsq), rinv = 1 / r;
       const dem::Terms& t = row[class_of[j]];
       const double before = m.gamma_max;
-      const law::Response now = dem::normal(law_at<Law>(laws_, t, class_of[i], class_of[j]), t, u, reach - r, m);
+      const law::Response now = dem::normal(law_at<Law>(laws_, t, class_of[i], class_of[j]), u, reach - r, m);
       if (t.gamma_valid < m.gamma_max && !(t.gamma_valid < before)) [[unlikely]] beyond(t.contact);
-      double F = now.force / u.force;
+      double F = now.force * per_force;
       double fx, fy, fz;
       if (friction || damping) {
         const double n[3] = {dx * rinv, dy * rinv, dz * rinv};
@@ -270,7 +271,7 @@ template <class Law> void PairPlaten::loop() {
           w[0] -= v_n * n[0] + n[2] * wr[1] - n[1] * wr[2];
           w[1] -= v_n * n[1] + n[0] * wr[2] - n[2] * wr[0];
           w[2] -= v_n * n[2] + n[1] * wr[0] - n[0] * wr[1];
-          dem::slide(t, u, now.contact_radius, F, n, w, dt, m);
+          dem::slide(t, now.contact_radius, F, n, w, dt, m);
           const double* s = m.tangential;
           fx += s[0], fy += s[1], fz += s[2];
           const double torque_n[3] = {n[1] * s[2] - n[2] * s[1], n[2] * s[0] - n[0] * s[2],
