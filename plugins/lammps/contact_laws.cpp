@@ -51,12 +51,13 @@ double eight_G(const law::Pair& pair) {
 void check_side(const fit::LawCard& card, bool on_plane) {
   const auto against = card.parameters.find("against");
   if (!on_plane && against != card.parameters.end() && against->second == "plane")
-    throw InvalidInput(fmt::format("{}: the card is for a sphere against a plane, not between spheres", card.file));
+    throw InvalidInput(
+        fmt::format("{}: the card is for a sphere against a plane, not between spheres", card.file));
   for (const auto& [key, value] : card.parameters)
     if (key == "radius2_m" || key.find("2_Pa") != std::string::npos || key == "nu2")
       throw InvalidInput(fmt::format(
-          "{}: the card is for one pair of unlike spheres ({} = {}); give a card for each material", card.file, key,
-          value));
+          "{}: the card is for one pair of unlike spheres ({} = {}); give a card for each material",
+          card.file, key, value));
 }
 
 } // namespace
@@ -65,13 +66,15 @@ void check(const Contact& contact) {
   check_side(contact.one, contact.on_plane);
   if (!contact.on_plane) check_side(contact.two, false);
   if (!(contact.restitution > 0 && contact.restitution <= 1))
-    throw InvalidInput(fmt::format("damping {} is not a restitution coefficient in (0, 1]", contact.restitution));
+    throw InvalidInput(
+        fmt::format("damping {} is not a restitution coefficient in (0, 1]", contact.restitution));
   if (!(contact.friction >= 0 && std::isfinite(contact.friction)))
     throw InvalidInput(fmt::format("friction {} is not a coefficient of 0 or more", contact.friction));
   if (contact.on_plane) return;
   if (contact.one.law != contact.two.law || contact.one.variant != contact.two.variant)
-    throw InvalidInput(fmt::format("{} and {} are cards of two laws ({}, {}); the two sides of a contact need the same",
-                                   contact.one.file, contact.two.file, contact.one.law, contact.two.law));
+    throw InvalidInput(
+        fmt::format("{} and {} are cards of two laws ({}, {}); the two sides of a contact need the same",
+                    contact.one.file, contact.two.file, contact.one.law, contact.two.law));
   auto keys = contact.one.parameters;
   keys.insert(contact.two.parameters.begin(), contact.two.parameters.end());
   for (const auto& [key, value] : keys) {
@@ -79,9 +82,10 @@ void check(const Contact& contact) {
     const bool same =
         a != contact.one.parameters.end() && b != contact.two.parameters.end() && a->second == b->second;
     if (!same && !second_key(key) && key != "radius_m")
-      throw InvalidInput(fmt::format("{} and {} differ in {}, which the law {} takes once for both sides; give the "
-                                     "card of the softer material for this pair",
-                                     contact.one.file, contact.two.file, key, contact.one.law));
+      throw InvalidInput(
+          fmt::format("{} and {} differ in {}, which the law {} takes once for both sides; give the "
+                      "card of the softer material for this pair",
+                      contact.one.file, contact.two.file, key, contact.one.law));
   }
 }
 
@@ -92,8 +96,9 @@ law::ParameterTexts parameters(const Contact& contact, double R1, double R2) {
     if (fixed == card.parameters.end()) return core::number_text(R);
     const auto own = core::number_from(fixed->second);
     if (!own || std::abs(*own - R) > 1e-9 * R)
-      throw InvalidInput(fmt::format("{}: the card is for radius_m = {}, and does not cover a particle of radius {} m",
-                                     card.file, fixed->second, R));
+      throw InvalidInput(
+          fmt::format("{}: the card is for radius_m = {}, and does not cover a particle of radius {} m",
+                      card.file, fixed->second, R));
     return fixed->second;
   };
   texts["radius_m"] = radius(contact.one, R1);
@@ -112,8 +117,10 @@ double damping_of(double restitution) {
   return 2 * std::sqrt(5.0 / 6) * -l / std::hypot(l, std::numbers::pi);
 }
 
-std::unique_ptr<Prepared> prepare(const Contact& contact, int index, double R1, double R2, const Units& units) {
-  auto made = std::make_unique<Prepared>(Prepared{fit::make_law(contact.one, parameters(contact, R1, R2)), {}});
+std::unique_ptr<Prepared> prepare(const Contact& contact, int index, double R1, double R2,
+                                  const Units& units) {
+  auto made =
+      std::make_unique<Prepared>(Prepared{fit::make_law(contact.one, parameters(contact, R1, R2)), {}});
   Terms& t = made->terms;
   std::visit(
       [&](const auto& l) {
@@ -122,9 +129,10 @@ std::unique_ptr<Prepared> prepare(const Contact& contact, int index, double R1, 
       },
       made->law);
   if (contact.friction > 0 && !(t.shear > 0 && std::isfinite(t.shear)))
-    throw InvalidInput(fmt::format("{}: friction needs Young's modulus and Poisson's ratio, which the law {} does not "
-                                   "have",
-                                   contact.one.file, contact.one.law));
+    throw InvalidInput(
+        fmt::format("{}: friction needs Young's modulus and Poisson's ratio, which the law {} does not "
+                    "have",
+                    contact.one.file, contact.one.law));
   t.damping = damping_of(contact.restitution);
   t.friction = contact.friction;
   t.gamma_valid = valid_overlap(made->law, contact.one);
@@ -133,7 +141,8 @@ std::unique_ptr<Prepared> prepare(const Contact& contact, int index, double R1, 
   return made;
 }
 
-void LawTable::reset(int types, std::vector<Contact> contacts, std::vector<int> contact_of_types, Units units) {
+void LawTable::reset(int types, std::vector<Contact> contacts, std::vector<int> contact_of_types,
+                     Units units) {
   types_ = types;
   units_ = units;
   contacts_ = std::move(contacts);
@@ -153,9 +162,10 @@ int LawTable::class_of(int type, double radius) {
 
 int LawTable::add(int type, double radius) {
   if (classes() == most_classes)
-    throw InvalidInput(fmt::format("there are more than {} different radii (type {}, radius {}): a law is prepared for "
-                                   "each pair of radii, so give classes of radii",
-                                   most_classes, type, radius));
+    throw InvalidInput(
+        fmt::format("there are more than {} different radii (type {}, radius {}): a law is prepared for "
+                    "each pair of radii, so give classes of radii",
+                    most_classes, type, radius));
   const std::size_t old = classes_.size(), n = old + 1;
   std::vector<Terms> terms(n * n);
   std::vector<const law::AnyLaw*> any(n * n);

@@ -1,6 +1,6 @@
 #pragma once
-// Law cards as a DEM code needs them: for each pair of particle types a material pair with friction and damping, for
-// each pair of (type, radius) classes the prepared law. Knows nothing of LAMMPS.
+// Law cards as a DEM code needs them: for each pair of particle types a material pair with friction and
+// damping, for each pair of (type, radius) classes the prepared law. Knows nothing of LAMMPS.
 
 #include "fit/law_card.hpp"
 
@@ -24,7 +24,8 @@ struct Contact {
   double friction = 0;    ///< Coulomb's coefficient
 };
 
-/// A law for two radii, and what the contact loop needs beside it; in units of the host where not said otherwise.
+/// A law for two radii, and what the contact loop needs beside it; in units of the host where not said
+/// otherwise.
 struct Terms {
   const void* law = nullptr; ///< of the type that `kind` says, SI; null: not given by the user
   double shear = 0;          ///< 8 G*: tangential stiffness over contact radius (Mindlin) [force/length/m]
@@ -40,8 +41,8 @@ void check(const Contact&);
 /// Contact between cards: parameters of the second card beside those of the first.
 law::ParameterTexts parameters(const Contact&, double R1, double R2);
 
-/// `damping` for a restitution coefficient: 2 sqrt(5/6) |ln e|/sqrt(ln^2 e + pi^2), which returns e for Hertz's
-/// contact at any velocity (Tsuji, Tanaka & Ishida 1992; Antypov & Elliott 2011).
+/// `damping` for a restitution coefficient: 2 sqrt(5/6) |ln e|/sqrt(ln^2 e + pi^2), which returns e for
+/// Hertz's contact at any velocity (Tsuji, Tanaka & Ishida 1992; Antypov & Elliott 2011).
 double damping_of(double restitution);
 
 /// One prepared law with its terms.

@@ -1,6 +1,6 @@
 #pragma once
-// One contact in one step, for pairs and walls alike: the normal force of the law, viscous damping, and Coulomb
-// friction with Mindlin's tangential stiffness.
+// One contact in one step, for pairs and walls alike: the normal force of the law, viscous damping, and
+// Coulomb friction with Mindlin's tangential stiffness.
 
 #include "contact_laws.hpp"
 
@@ -10,7 +10,7 @@ namespace platen::dem {
 
 /// What a contact remembers: 40 bytes.
 struct Memory {
-  double gamma_max;    ///< largest overlap so far [m]
+  double gamma_max;     ///< largest overlap so far [m]
   double tangential[3]; ///< force on the first body [force]
   double k_t;           ///< its stiffness when it was stored [force/length]
 };
@@ -32,24 +32,26 @@ PLATEN_HOT law::Response normal(const Law& law, const Units& u, double overlap, 
   return now;
 }
 
-/// The normal force with viscous damping, c = damping sqrt(dF/dgamma m), and never attractive.
-PLATEN_HOT double damped(const Terms& t, const Units& u, const law::Response& now, double F, double mass, double v_n) {
-  if (!(F > 0)) return F;
-  const double damped = F - t.damping * std::sqrt(now.stiffness * u.length / u.force * mass) * v_n;
-  return damped > 0 ? damped : 0;
+/// The normal force with viscous damping, c = damping sqrt(dF/dgamma m). It may pull for a moment as the
+/// bodies part, as in LAMMPS: cut off there, a Hertzian contact asked for e = 0.5 returns 0.55.
+PLATEN_HOT double damped(const Terms& t, const Units& u, const law::Response& now, double F, double mass,
+                         double v_n) {
+  if (!(F > 0)) return F; // apart
+  return F - t.damping * std::sqrt(now.stiffness * u.length / u.force * mass) * v_n;
 }
 
-/// The tangential force follows the sliding with stiffness 8 G* a. When a shrinks it shrinks with it (else unloading
-/// would leave more elastic energy than was put in: Thornton, Cummins & Cleary 2013), and friction limits it.
-PLATEN_HOT void slide(const Terms& t, double a, double F_n, const double n[3], const double v_t[3],
-                      double dt, Memory& m) {
+/// The tangential force follows the sliding with stiffness 8 G* a. When a shrinks it shrinks with it (else
+/// unloading would leave more elastic energy than was put in: Thornton, Cummins & Cleary 2013), and friction
+/// limits it.
+PLATEN_HOT void slide(const Terms& t, double a, double F_n, const double n[3], const double v_t[3], double dt,
+                      Memory& m) {
   double* f = m.tangential;
   const double along = f[0] * n[0] + f[1] * n[1] + f[2] * n[2]; // the contact plane has turned
   const double k_t = t.shear * a, more = k_t * dt;
   double keep = 1;
   if (k_t < m.k_t) keep = k_t / m.k_t;
   for (int k = 0; k < 3; ++k) f[k] = (f[k] - along * n[k]) * keep - more * v_t[k];
-  const double size2 = f[0] * f[0] + f[1] * f[1] + f[2] * f[2], limit = t.friction * F_n;
+  const double size2 = f[0] * f[0] + f[1] * f[1] + f[2] * f[2], limit = F_n > 0 ? t.friction * F_n : 0;
   if (size2 > limit * limit) {
     const double scale = limit / std::sqrt(size2);
     for (int k = 0; k < 3; ++k) f[k] *= scale;

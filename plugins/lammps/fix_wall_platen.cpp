@@ -21,16 +21,18 @@ namespace {
 constexpr const char* who = "Fix wall/platen";
 }
 
-// fix ID group wall/platen CARD plane x|y|z lo|hi POSITION [velocity V | force F mass M] [damping E] [friction MU]
-// fix ID group wall/platen CARD cylinder x|y|z RADIUS [damping E] [friction MU]
+// fix ID group wall/platen CARD plane x|y|z lo|hi POSITION [velocity V | force F mass M] [damping E]
+// [friction MU] fix ID group wall/platen CARD cylinder x|y|z RADIUS [damping E] [friction MU]
 FixWallPlaten::FixWallPlaten(LAMMPS* host, int narg, char** arg) : Fix(host, narg, arg) {
-  const std::string usage = "Illegal fix wall/platen command: CARD plane x|y|z lo|hi POSITION [velocity V | force F "
-                            "mass M], or CARD cylinder x|y|z RADIUS; then [damping E] [friction MU]";
+  const std::string usage =
+      "Illegal fix wall/platen command: CARD plane x|y|z lo|hi POSITION [velocity V | force F "
+      "mass M], or CARD cylinder x|y|z RADIUS; then [damping E] [friction MU]";
   if (narg < 7) error->all(FLERR, usage);
   contact_.on_plane = true;
   platen_try(error, FLERR, who, [&] { contact_.one = platen::fit::read_law_card(arg[3]); });
   const std::string kind = arg[4], axis = arg[5];
-  if ((kind != "plane" && kind != "cylinder") || (axis != "x" && axis != "y" && axis != "z")) error->all(FLERR, usage);
+  if ((kind != "plane" && kind != "cylinder") || (axis != "x" && axis != "y" && axis != "z"))
+    error->all(FLERR, usage);
   cylinder_ = kind == "cylinder";
   axis_ = axis[0] - 'x';
   int next = 6;
@@ -77,14 +79,16 @@ FixWallPlaten::~FixWallPlaten() {
   long all = 0;
   MPI_Allreduce(&beyond_, &all, 1, MPI_LONG, MPI_SUM, world);
   if (all > 0 && comm->me == 0)
-    error->warning(FLERR, std::to_string(all) + " contacts with wall " + id + " went beyond the validity of " +
-                              contact_.one.file);
+    error->warning(FLERR, std::to_string(all) + " contacts with wall " + id +
+                              " went beyond the validity of " + contact_.one.file);
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
   memory->destroy(memory_);
 }
 
-int FixWallPlaten::setmask() { return FixConst::INITIAL_INTEGRATE | FixConst::POST_FORCE | FixConst::END_OF_STEP; }
+int FixWallPlaten::setmask() {
+  return FixConst::INITIAL_INTEGRATE | FixConst::POST_FORCE | FixConst::END_OF_STEP;
+}
 
 void FixWallPlaten::init() {
   units_ = platen_units(error, update, who);
@@ -179,7 +183,9 @@ double FixWallPlaten::compute_vector(int n) { return n < 3 ? total_[n] : n == 3 
 
 double FixWallPlaten::memory_usage() { return static_cast<double>(atom->nmax) * sizeof(dem::Memory); }
 void FixWallPlaten::grow_arrays(int n) { memory->grow(memory_, n, dem::memory_size, "wall/platen:memory"); }
-void FixWallPlaten::copy_arrays(int i, int j, int) { std::memcpy(memory_[j], memory_[i], sizeof(dem::Memory)); }
+void FixWallPlaten::copy_arrays(int i, int j, int) {
+  std::memcpy(memory_[j], memory_[i], sizeof(dem::Memory));
+}
 void FixWallPlaten::set_arrays(int i) { std::memset(memory_[i], 0, sizeof(dem::Memory)); }
 int FixWallPlaten::pack_exchange(int i, double* to) {
   std::memcpy(to, memory_[i], sizeof(dem::Memory));

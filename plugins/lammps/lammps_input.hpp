@@ -14,7 +14,8 @@ namespace LAMMPS_NS {
 
 /// What `act` throws becomes an error of LAMMPS, on all ranks (`one`: on this one).
 template <class Act>
-auto platen_try(Error* error, const char* file, int line, const std::string& who, const Act& act, bool one = false) {
+auto platen_try(Error* error, const char* file, int line, const std::string& who, const Act& act,
+                bool one = false) {
   std::string why;
   try {
     return act();

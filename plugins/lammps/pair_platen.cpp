@@ -26,7 +26,8 @@ std::string history_id(int instance, bool made) {
 }
 
 /// The law of one kind, or of any.
-template <class Law> PLATEN_HOT const Law& law_at(const dem::LawTable& table, const dem::Terms& t, int a, int b) {
+template <class Law>
+PLATEN_HOT const Law& law_at(const dem::LawTable& table, const dem::Terms& t, int a, int b) {
   if constexpr (std::is_same_v<Law, law::AnyLaw>) return table.law_of(a, b);
   else return *static_cast<const Law*>(t.law);
 }
@@ -41,7 +42,8 @@ PairPlaten::PairPlaten(LAMMPS* host) : Pair(host) {
   restartinfo = 0; // cards are read anew; what contacts remember is in the restart file, with NEIGH_HISTORY
   single_extra = 8;
   svector = new double[8];
-  modify->add_fix(history_id(instance_me, false) + " all DUMMY"); // holds the place of NEIGH_HISTORY in the order
+  modify->add_fix(history_id(instance_me, false) +
+                  " all DUMMY"); // holds the place of NEIGH_HISTORY in the order
 }
 
 PairPlaten::~PairPlaten() {
@@ -66,11 +68,13 @@ void PairPlaten::allocate() {
 }
 
 void PairPlaten::settings(int narg, char**) {
-  if (narg != 0) error->all(FLERR, std::string("Illegal pair_style command: pair_style platen takes no arguments"));
+  if (narg != 0)
+    error->all(FLERR, std::string("Illegal pair_style command: pair_style platen takes no arguments"));
 }
 
 void PairPlaten::coeff(int narg, char** arg) {
-  const std::string usage = "Illegal pair_coeff command: pair_coeff I J CARD_I [CARD_J] [damping E] [friction MU]";
+  const std::string usage =
+      "Illegal pair_coeff command: pair_coeff I J CARD_I [CARD_J] [damping E] [friction MU]";
   if (narg < 3) error->all(FLERR, usage);
   if (!allocated) allocate();
   int ilo, ihi, jlo, jhi;
@@ -84,7 +88,8 @@ void PairPlaten::coeff(int narg, char** arg) {
   int next = 3;
   const auto keyword = [](const std::string& word) { return word == "damping" || word == "friction"; };
   if (next < narg && !keyword(arg[next])) {
-    platen_try(error, FLERR, "pair_coeff platen", [&] { contact.two = platen::fit::read_law_card(arg[next]); });
+    platen_try(error, FLERR, "pair_coeff platen",
+               [&] { contact.two = platen::fit::read_law_card(arg[next]); });
     ++next;
   }
   for (; next < narg; next += 2) {
@@ -96,19 +101,23 @@ void PairPlaten::coeff(int narg, char** arg) {
   int count = 0;
   for (int i = ilo; i <= ihi; i++)
     for (int j = std::max(jlo, i); j <= jhi; j++) {
-      contact_of_types_[static_cast<std::size_t>(i * (atom->ntypes + 1) + j)] = static_cast<int>(contacts_.size());
+      contact_of_types_[static_cast<std::size_t>(i * (atom->ntypes + 1) + j)] =
+          static_cast<int>(contacts_.size());
       setflag[i][j] = 1;
       count++;
     }
-  if (count == 0) error->all(FLERR, std::string("Incorrect args for pair coefficients: I must not be above J"));
+  if (count == 0)
+    error->all(FLERR, std::string("Incorrect args for pair coefficients: I must not be above J"));
   contacts_.push_back(std::move(contact));
 }
 
 void PairPlaten::init_style() {
   if (!atom->radius_flag || !atom->rmass_flag)
-    error->all(FLERR, std::string("Pair platen requires atom attributes radius, rmass: use atom_style sphere"));
+    error->all(FLERR,
+               std::string("Pair platen requires atom attributes radius, rmass: use atom_style sphere"));
   if (force->newton_pair)
-    error->all(FLERR, std::string("Pair platen requires newton pair off: put 'newton off' before the box is made"));
+    error->all(FLERR,
+               std::string("Pair platen requires newton pair off: put 'newton off' before the box is made"));
   units_ = platen_units(error, update, "Pair platen");
   any_friction_ = any_damping_ = false;
   for (const auto& contact : contacts_) {
@@ -116,15 +125,17 @@ void PairPlaten::init_style() {
     any_damping_ = any_damping_ || contact.restitution < 1;
   }
   if ((any_friction_ || any_damping_) && comm->ghost_velocity == 0)
-    error->all(FLERR, std::string("Pair platen with damping or friction requires ghost atoms store velocity: use "
-                                  "comm_modify vel yes"));
+    error->all(FLERR,
+               std::string("Pair platen with damping or friction requires ghost atoms store velocity: use "
+                           "comm_modify vel yes"));
 
   const int request = neighbor->request(this, instance_me);
   neighbor->requests[request]->size = 1;
   neighbor->requests[request]->history = 1;
   if (!history_made_) {
-    modify->replace_fix(history_id(instance_me, false),
-                        history_id(instance_me, true) + " all NEIGH_HISTORY " + std::to_string(dem::memory_size), 1);
+    modify->replace_fix(
+        history_id(instance_me, false),
+        history_id(instance_me, true) + " all NEIGH_HISTORY " + std::to_string(dem::memory_size), 1);
     history_made_ = true;
   }
   history_ = static_cast<FixNeighHistory*>(modify->fix[modify->find_fix(history_id(instance_me, true))]);
@@ -138,15 +149,17 @@ void PairPlaten::init_style() {
     if (const int fix = modify->find_fix_by_style(inserter); fix >= 0)
       for (int type = 1; type <= atom->ntypes; type++) {
         int asked = type;
-        mine[static_cast<std::size_t>(type)] = std::max(
-            mine[static_cast<std::size_t>(type)], *static_cast<double*>(modify->fix[fix]->extract("radius", asked)));
+        mine[static_cast<std::size_t>(type)] =
+            std::max(mine[static_cast<std::size_t>(type)],
+                     *static_cast<double*>(modify->fix[fix]->extract("radius", asked)));
       }
   for (int i = 0; i < atom->nlocal; i++) {
     double& largest = mine[static_cast<std::size_t>(atom->type[i])];
     largest = std::max(largest, atom->radius[i]);
   }
   largest_radius_ = mine;
-  MPI_Allreduce(mine.data(), largest_radius_.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MAX, world);
+  MPI_Allreduce(mine.data(), largest_radius_.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MAX,
+                world);
 
   beyond_.resize(contacts_.size());
   warned_.resize(contacts_.size());
@@ -155,7 +168,8 @@ void PairPlaten::init_style() {
 }
 
 double PairPlaten::init_one(int i, int j) {
-  if (setflag[i][j] == 0) error->all(FLERR, std::string("All pair coeffs are not set: pair platen does not mix types"));
+  if (setflag[i][j] == 0)
+    error->all(FLERR, std::string("All pair coeffs are not set: pair platen does not mix types"));
   return largest_radius_[static_cast<std::size_t>(i)] + largest_radius_[static_cast<std::size_t>(j)];
 }
 
@@ -200,22 +214,27 @@ void PairPlaten::warn_beyond(bool last) {
 
 void PairPlaten::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
-  if (neighbor->ago == 0 || class_of_.size() != static_cast<std::size_t>(atom->nlocal + atom->nghost)) {
+  if (neighbor->ago == 0 || class_of_.size() != static_cast<std::size_t>(atom->nlocal + atom->nghost))
     find_classes();
-    warn_beyond(false);
-  }
+  if (laws_.classes() > 0) contacts();
+  if (neighbor->ago == 0) warn_beyond(false); // on all ranks alike
+}
+
+void PairPlaten::contacts() {
   const int kind = laws_.only_kind();
   if (kind < 0) {
-    if (laws_.classes() > 0) loop<law::AnyLaw>();
+    loop<law::AnyLaw>();
     return;
   }
   [&]<std::size_t... I>(std::index_sequence<I...>) { // one law alone: its own loop
     ((static_cast<int>(I) == kind ? loop<std::variant_alternative_t<I, law::AnyLaw>>() : void()), ...);
-  }(std::make_index_sequence<std::variant_size_v<law::AnyLaw>>{});
+  }
+  (std::make_index_sequence<std::variant_size_v<law::AnyLaw>>{});
 }
 
 template <class Law> void PairPlaten::loop() {
-  double *const *x = atom->x, *const *v = atom->v, **f = atom->f, *const *omega = atom->omega, **torque = atom->torque;
+  double *const *x = atom->x, *const *v = atom->v, **f = atom->f, *const *omega = atom->omega,
+                **torque = atom->torque;
   const double *radius = atom->radius, *rmass = atom->rmass;
   const int *mask = atom->mask, nlocal = atom->nlocal, classes = laws_.classes();
   const dem::Terms* const terms = laws_.terms();
@@ -249,7 +268,8 @@ template <class Law> void PairPlaten::loop() {
       const dem::Terms& t = row[class_of[j]];
       const double before = m.gamma_max;
       const law::Response now = dem::normal(law_at<Law>(laws_, t, class_of[i], class_of[j]), u, reach - r, m);
-      if (t.gamma_valid < m.gamma_max && !(t.gamma_valid < before)) [[unlikely]] beyond(t.contact);
+      if (t.gamma_valid < m.gamma_max && !(t.gamma_valid < before)) [[unlikely]]
+        beyond(t.contact);
       double F = now.force * per_force;
       double fx, fy, fz;
       if (friction || damping) {
@@ -294,8 +314,9 @@ template <class Law> void PairPlaten::loop() {
   }
 }
 
-/// Reads what the contact remembers and changes nothing. svector: overlap, normal force of the law, contact radius,
-/// mean pressure, work that unloading would not return, tangential force (3), all in units of the run.
+/// Reads what the contact remembers and changes nothing. svector: overlap, normal force of the law, contact
+/// radius, mean pressure, work that unloading would not return, tangential force (3), all in units of the
+/// run.
 double PairPlaten::single(int i, int j, int, int, double rsq, double, double, double& fforce) {
   fforce = 0;
   std::fill(svector, svector + single_extra, 0.0);

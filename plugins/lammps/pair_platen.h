@@ -26,6 +26,7 @@ class PairPlaten : public Pair {
  private:
   void allocate();
   void find_classes();
+  void contacts();
   void warn_beyond(bool last);
   void beyond(int contact);
   template <class Law> void loop();

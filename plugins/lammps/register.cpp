@@ -12,8 +12,11 @@ using namespace LAMMPS_NS;
 extern "C" void platen_register(void* handle) {
   auto* lmp = static_cast<LAMMPS*>(handle);
   if (lmp->num_ver != PLATEN_LAMMPS_VERSION)
-    lmp->error->all(FLERR, "The Platen plug-in was built for LAMMPS " + std::to_string(PLATEN_LAMMPS_VERSION) +
-                               ", this is " + std::to_string(lmp->num_ver) + ": build it anew with ./run lammps");
+    lmp->error->all(FLERR, "The Platen plug-in was built for LAMMPS " +
+                               std::to_string(PLATEN_LAMMPS_VERSION) + ", this is " +
+                               std::to_string(lmp->num_ver) + ": build it anew with ./run lammps");
   (*lmp->force->pair_map)["platen"] = [](LAMMPS* l) -> Pair* { return new PairPlaten(l); };
-  (*lmp->modify->fix_map)["wall/platen"] = [](LAMMPS* l, int n, char** a) -> Fix* { return new FixWallPlaten(l, n, a); };
+  (*lmp->modify->fix_map)["wall/platen"] = [](LAMMPS* l, int n, char** a) -> Fix* {
+    return new FixWallPlaten(l, n, a);
+  };
 }

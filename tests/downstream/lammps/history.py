@@ -19,10 +19,8 @@ set group all density 1500
 variable vx atom 4*(random(0,1,11)-0.5)
 variable vy atom 4*(random(0,1,12)-0.5)
 variable vz atom 4*(random(0,1,13)-0.5)
-run 0 post no
 velocity all set v_vx v_vy v_vz
 """
-MAKE = MAKE.replace("run 0 post no\n", "")
 WRITE = """
 dump last all custom 400 last.txt id x y z omegax omegay omegaz
 dump_modify last sort id format float %.17g
@@ -45,7 +43,7 @@ def same(what, a, b, relative):
 
 
 whole, _ = lammps("whole", MAKE + FORCES + WRITE + "run 200\nwrite_restart half.restart\nrun 200\n")
-halves, _ = lammps("halves", f"read_restart {whole}/half.restart\nnewton off\ncomm_modify vel yes\n".replace("newton off\n", "")
+halves, _ = lammps("halves", f"newton off\nread_restart {whole}/half.restart\ncomm_modify vel yes\n"
                    + FORCES + WRITE + "run 200\n")
 ranks, _ = lammps("ranks", MAKE + FORCES + WRITE + "run 200\nwrite_restart half.restart\nrun 200\n", ranks=2)
 start_rows = dump_rows(whole / "last.txt")[0]
