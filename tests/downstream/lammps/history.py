@@ -16,9 +16,9 @@ lattice sc 1.98e-3
 create_atoms 1 box
 set group all diameter 2e-3
 set group all density 1500
-variable vx atom 4*(random(0,1,11)-0.5)
-variable vy atom 4*(random(0,1,12)-0.5)
-variable vz atom 4*(random(0,1,13)-0.5)
+variable vx atom 2*sin(1e4*x+3e4*y+7e4*z+0)
+variable vy atom 2*sin(5e4*x+1e4*y+3e4*z+1)
+variable vz atom 2*sin(3e4*x+7e4*y+1e4*z+2)
 velocity all set v_vx v_vy v_vz
 """
 WRITE = """
