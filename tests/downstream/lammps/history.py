@@ -45,7 +45,8 @@ def same(what, a, b, relative):
 whole, _ = lammps("whole", MAKE + FORCES + WRITE + "run 200\nwrite_restart half.restart\nrun 200\n")
 halves, _ = lammps("halves", f"newton off\nread_restart {whole}/half.restart\ncomm_modify vel yes\n"
                    + FORCES + WRITE + "run 200\n")
-ranks, _ = lammps("ranks", MAKE + FORCES + WRITE + "run 200\nwrite_restart half.restart\nrun 200\n", ranks=2)
+ranks, _ = lammps("ranks", f"newton off\nread_restart {whole}/half.restart\ncomm_modify vel yes\n" + FORCES + WRITE
+                  + "run 200\n", ranks=2)
 start_rows = dump_rows(whole / "last.txt")[0]
 moved = max(abs(a[1] - b[1]) for a, b in zip(start_rows, last(whole)))
 spin = max(abs(row[4]) for row in last(whole))
