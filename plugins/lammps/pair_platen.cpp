@@ -40,6 +40,7 @@ PairPlaten::PairPlaten(LAMMPS* host) : Pair(host) {
   centroidstressflag = CENTROID_NOTAVAIL;
   finitecutflag = 1;
   restartinfo = 0; // cards are read anew; what contacts remember is in the restart file, with NEIGH_HISTORY
+  nondefault_history_transfer = 1; // seen from the other sphere only the tangential force changes its sign
   single_extra = 8;
   svector = new double[8];
   modify->add_fix(history_id(instance_me, false) +
@@ -175,6 +176,12 @@ double PairPlaten::init_one(int i, int j) {
 
 double PairPlaten::atom2cut(int i) { return 2 * atom->radius[i]; }
 double PairPlaten::radii2cut(double r1, double r2) { return r1 + r2; }
+
+void PairPlaten::transfer_history(double* from, double* to) {
+  const dem::Memory& m = *reinterpret_cast<const dem::Memory*>(from);
+  const double* s = m.tangential;
+  *reinterpret_cast<dem::Memory*>(to) = {m.gamma_max, {-s[0], -s[1], -s[2]}, m.k_t};
+}
 
 void PairPlaten::find_classes() {
   const int all = atom->nlocal + atom->nghost;

@@ -22,6 +22,7 @@ class PairPlaten : public Pair {
   double memory_usage() override;
   double atom2cut(int i) override;
   double radii2cut(double, double) override;
+  void transfer_history(double* from, double* to) override;
 
  private:
   void allocate();
