@@ -1,8 +1,10 @@
 #include "app/commands.hpp"
+#include "app/derive_local.hpp"
 #include "app/fit_report.hpp"
 #include "app/press_into.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/nearest.hpp"
 #include "core/number.hpp"
 #include "fit/edmans_sinka_card.hpp"
 #include "material/card.hpp"
@@ -13,14 +15,18 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 
 namespace platen::app {
 namespace {
 
 struct Options {
-  std::string material, folder = "out", variant = "published", unload_from, model;
+  std::string material, folder = "out", law = "edmans-sinka", variant = "published", unload_from, model;
   press::Case press_case;
+  std::optional<double> delta_bar_max, force_max_N;
+  std::vector<std::string> simple_only; ///< options given that the local press does not have
   bool json = false;
 };
 
@@ -41,16 +47,8 @@ std::vector<double> fifths(double delta_bar_max) {
 /// "0.1,0.3"; "none" for a law that unloads generically; empty: fifths.
 std::vector<double> unloading(const std::string& text, double delta_bar_max) {
   if (text.empty()) return fifths(delta_bar_max);
-  std::vector<double> list;
-  if (text == "none") return list;
-  for (const auto& part : law::detail::split(text, ',')) {
-    const auto number = core::number_from(part);
-    if (!number)
-      throw core::InvalidInput(fmt::format(
-          "--unload_from {}: '{}' is not a number; write 0.1,0.3 (in units of the radius), or none", text,
-          part));
-    list.push_back(*number);
-  }
+  if (text == "none") return {};
+  const std::vector<double> list = unloading_list(text);
   constexpr std::size_t most = law::EdmansSinkaMaterial::most_unloadings;
   if (list.size() > most)
     throw core::InvalidInput(fmt::format(
@@ -58,11 +56,12 @@ std::vector<double> unloading(const std::string& text, double delta_bar_max) {
   return list;
 }
 
-void derive(const Options& o) {
+void derive_simple(const Options& o, const material::Material& material) {
   check_variant(o.variant);
+  if (o.force_max_N) throw core::InvalidInput("--force_max_N is for --law wang; give --delta_bar_max");
   press::Case c = o.press_case;
-  c.material = material::read_card(o.material).material;
-  if (!o.model.empty()) c.material.model = material::run_as(c.material.model, o.model);
+  c.material = material;
+  if (o.delta_bar_max) c.delta_bar_max = *o.delta_bar_max;
   c.unload_from = unloading(o.unload_from, c.delta_bar_max);
   press::validate(c);
   c.fields_at = moments(c.delta_bar_max);
@@ -87,6 +86,20 @@ void derive(const Options& o) {
              at);
 }
 
+void derive(const Options& o) {
+  const std::vector<std::string> laws = {"edmans-sinka", "wang"};
+  if (std::ranges::find(laws, o.law) == laws.end())
+    throw core::InvalidInput(
+        fmt::format("--law {}: there is no such law to fit{}", o.law, core::suggestion(o.law, laws)));
+  material::Material material = material::read_card(o.material).material;
+  if (!o.model.empty()) material.model = material::run_as(material.model, o.model);
+  if (o.law == "edmans-sinka") return derive_simple(o, material);
+  if (!o.simple_only.empty())
+    throw core::InvalidInput(fmt::format("{} is not for --law wang", fmt::join(o.simple_only, ", ")));
+  derive_local(
+      {material, o.folder, o.press_case.radius_m, o.delta_bar_max, o.force_max_N, o.unload_from, o.json});
+}
+
 } // namespace
 
 void add_derive(CLI::App& program) {
@@ -96,24 +109,39 @@ void add_derive(CLI::App& program) {
   command->add_option("-o", o->folder, "folder for the results")->type_name("DIR")->capture_default_str();
   command->add_option("--model", o->model, "run a vmdc or dpc card as vmdc, dpc, dpc-published or von-mises")
       ->type_name("NAME");
-  command->add_option("--variant", o->variant, variant_help)->type_name("V")->capture_default_str();
   command
-      ->add_option("--unload_from", o->unload_from,
-                   "delta/R0 from which branches unload: 0.1,0.3; none; default: five, up to delta_bar_max")
+      ->add_option(
+          "--law", o->law,
+          "law to fit: edmans-sinka, of large overlaps (simple press); wang, of small contacts in stiff "
+          "grains (local press)")
+      ->type_name("NAME")
+      ->capture_default_str();
+  auto* variant =
+      command->add_option("--variant", o->variant, variant_help)->type_name("V")->capture_default_str();
+  command
+      ->add_option(
+          "--unload_from", o->unload_from,
+          "delta/R0 from which branches unload: 0.1,0.3; none; default: five up to the end (wang: four)")
       ->type_name("LIST");
   command->add_option("--radius_m", o->press_case.radius_m, "radius; the law does not depend on it")
       ->type_name("NUMBER")
       ->capture_default_str();
   command
-      ->add_option("--delta_bar_max", o->press_case.delta_bar_max, "how far to press, delta/R0 in (0, 0.5]")
-      ->type_name("NUMBER")
-      ->capture_default_str();
-  command->add_option("--elements", o->press_case.elements, "wanted number of elements")
-      ->type_name("NUMBER")
-      ->capture_default_str();
+      ->add_option("--delta_bar_max", o->delta_bar_max,
+                   "how far to press, delta/R0 in (0, 0.5]; default 0.5, wang: five times first yield")
+      ->type_name("NUMBER");
+  command->add_option("--force_max_N", o->force_max_N, "wang: how far to press")->type_name("NUMBER");
+  auto* elements = command->add_option("--elements", o->press_case.elements, "wanted number of elements")
+                       ->type_name("NUMBER")
+                       ->capture_default_str();
   command->add_flag("--json", o->json, "for a machine to read");
-  command->footer("Example: platen derive mcc-ph-200 -o out/mcc");
-  command->callback([o] { derive(*o); });
+  command->footer("Example: platen derive mcc-ph-200 -o out/mcc\n"
+                  "         platen derive wang-type-1 --law wang --radius_m 0.1 -o out/sand");
+  command->callback([o, variant, elements] {
+    for (const auto* option : {variant, elements})
+      if (option->count()) o->simple_only.push_back(option->get_name());
+    derive(*o);
+  });
 }
 
 } // namespace platen::app

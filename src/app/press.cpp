@@ -63,7 +63,7 @@ void add_press(CLI::App& program) {
                   "with case.toml:\n\n"
                   "  platen = 1\n  experiment = \"simple\"\n  material = \"mcc-ph-200\"\n  radius_m = 1e-3\n"
                   "  [output]\n  fields_at = [0.1, 0.5]\n\n"
-                  "Small contacts go by force: experiment = \"local\", [path] force_max_N = 100");
+                  "Small contacts: experiment = \"local\", [path] force_max_N = 100");
   command->callback([options] {
     if (options->card.empty() && !options->keys) throw CLI::RequiredError("CASE.toml");
     press(*options);

@@ -5,6 +5,7 @@
 #include "core/interrupt.hpp"
 #include "core/progress.hpp"
 #include "core/say.hpp"
+#include "plot/local_picture.hpp"
 #include "plot/zone_map.hpp"
 #include "press/case_card.hpp"
 #include "press/curve_csv.hpp"
@@ -42,19 +43,31 @@ void write_fields(const press::Case& c, const press::Result& result, const Outpu
   core::write_file(folder / "fields.pvd", press::fields_series(result.snapshots));
 }
 
+void write_local(const press::Case& c, const press::LocalResult& result, const OutputFolder& folder,
+                 Fields fields) {
+  for (const auto& profile : result.profiles)
+    core::write_file(folder / press::profile_name(profile), press::profile_csv(profile));
+  if (!result.snapshots.empty() && fields == Fields::pictures_and_vtu) write_fields(c, result, folder);
+  if (press::loading_end(result.curve)) {
+    plot::approach_picture(result, folder / "approach.svg");
+    plot::peaks_picture(result, folder / "peaks.svg");
+  }
+  if (result.snapshots.empty()) return;
+  plot::pressure_picture(result, folder / "pressure.svg");
+  plot::plastic_zone_picture(result, folder / "zones.svg");
+}
+
 /// What cost most comes first: where the disk fills, the files before are whole.
 void write_results(const press::Case& c, const press::LocalResult& result, const OutputFolder& folder,
                    Fields fields) {
-  folder.forget(
-      {"case.toml", "curve.csv", "summary.json", "zones.svg", "curve.svg", "law.toml", "fields.pvd"});
+  folder.forget({"case.toml", "curve.csv", "summary.json", "zones.svg", "curve.svg", "law.toml", "fields.pvd",
+                 "approach.svg", "peaks.svg", "pressure.svg"});
   folder.forget_series("fields-", ".vtu");
   folder.forget_series("profile-", ".csv");
   press::write_curve(result.curve, folder / "curve.csv");
   core::write_file(folder / "case.toml", press::case_text(c));
   const bool local = c.experiment == "local";
-  for (const auto& profile : result.profiles)
-    core::write_file(folder / press::profile_name(profile), press::profile_csv(profile));
-  if (!result.snapshots.empty() && local) write_fields(c, result, folder);
+  if (local) write_local(c, result, folder, fields);
   if (!result.snapshots.empty() && !local) {
     plot::zone_map(result.snapshots, fmt::format("{}: where it flows", c.material.name),
                    folder / "zones.svg");

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <numbers>
 
 namespace platen::app {
@@ -31,6 +32,9 @@ std::string wang_words(const fit::WangFit& f) {
   for (const auto& u : f.unloading)
     words += fmt::format("  {:<17.4g}  {:<7.4g}  {:<7.4g}  {:<11.4g}  {:.6f}\n", u.omega_max, u.m, u.n,
                          u.delta_res_m, u.r_squared);
+  if (f.unloading.size() > 1)
+    words += fmt::format("  {:<17}  {:<7.4g}  {:<7.4g}  {:<11}  {:.6f}\n", "together", f.m, f.n, "",
+                         f.unloading_r_squared);
   return words;
 }
 
@@ -61,6 +65,11 @@ std::string wang_json(const press::Curve& curve, const fit::WangFit& f) {
                                  {"n", u.n},
                                  {"delta_res_m", u.delta_res_m},
                                  {"R2", u.r_squared}});
+  if (!f.unloading.empty()) {
+    json["parameters"]["m"] = f.m;
+    json["parameters"]["n"] = f.n;
+    json["error"]["unload_R2"] = f.unloading_r_squared;
+  }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
@@ -75,7 +84,13 @@ void draw_wang_fit(const press::Curve& pressed, const fit::WangFit& f, const std
     delta_bar.push_back(omega * x_y);
     F_bar.push_back(F_bar_y * f.F_over_F_y(omega));
   }
-  plot::curve_with_law(curve, delta_bar, F_bar, "wang", file, f.branches);
+  // One m and n for all branches, as the card has it.
+  std::vector<fit::UnloadingFit> branches = f.branches;
+  for (auto& branch : branches) {
+    branch.alpha = f.n;
+    branch.delta_bar_0 = branch.delta_bar_max - x_y * std::pow(branch.F_bar_max / F_bar_y / f.m, 1 / f.n);
+  }
+  plot::curve_with_law(curve, delta_bar, F_bar, "wang", file, branches);
 }
 
 } // namespace platen::app

@@ -129,6 +129,71 @@ void fit_branches(const press::Curve& curve, WangFit& fit) {
   }
 }
 
+/// An unloading branch from separation to its turning point, in units of first yield, force over F_max.
+struct Branch {
+  double F_max = 0; ///< over F_y
+  Samples samples;
+};
+
+std::vector<Branch> branches_of(const press::Curve& curve, const WangFit& fit) {
+  std::vector<Branch> branches;
+  for (const UnloadingFit& f : fit.branches) {
+    Branch branch;
+    for (const auto& point : curve.points)
+      if (point.branch == press::Branch::unloading && point.branch_id == f.branch_id) {
+        branch.samples.delta_bar.push_back(point.delta_m / fit.delta_y_m);
+        branch.samples.F_bar.push_back(std::max(point.force_N, 0.0));
+      }
+    Samples& s = branch.samples;
+    std::reverse(s.delta_bar.begin(), s.delta_bar.end());
+    std::reverse(s.F_bar.begin(), s.F_bar.end());
+    const double F_max = s.F_bar.back();
+    for (double& F : s.F_bar) F /= F_max;
+    branch.F_max = F_max / fit.F_y_N;
+    s.weight = trapezoid_weights(s.delta_bar, s.delta_bar.front());
+    for (double& w : s.weight) w /= s.delta_bar.back() - s.delta_bar.front();
+    branches.push_back(std::move(branch));
+  }
+  return branches;
+}
+
+/// (17) with (18): through the turning point, so that omega_max - omega_res = (F_max/m)^(1/n).
+std::vector<double> unloading_law(const Branch& branch, double m, double n) {
+  const double range = std::pow(branch.F_max / m, 1 / n);
+  std::vector<double> law;
+  for (const double omega : branch.samples.delta_bar)
+    law.push_back(std::pow(std::max(0.0, 1 - (branch.samples.delta_bar.back() - omega) / range), n));
+  return law;
+}
+
+/// One m and n for all branches: the law has no more.
+void fit_branches_together(const press::Curve& curve, WangFit& fit) {
+  const std::vector<Branch> branches = branches_of(curve, fit);
+  if (branches.empty()) return;
+  const auto error = [&](double m, double n) {
+    double sum = 0;
+    for (const Branch& branch : branches) sum += squares(branch.samples, unloading_law(branch, m, n));
+    return sum;
+  };
+  std::vector<double> exponents, logarithms;
+  for (int i = 0; i <= 16; ++i) exponents.push_back(1 + 1.5 * i / 16);
+  for (int i = 0; i <= 32; ++i) logarithms.push_back(std::log(0.1) + std::log(1e3) * i / 32);
+  const auto best_m = [&](double n) {
+    return scanned_minimum([&](double log_m) { return error(std::exp(log_m), n); }, logarithms, 40);
+  };
+  fit.n = scanned_minimum([&](double n) { return best_m(n).value; }, exponents, 40).at;
+  fit.m = std::exp(best_m(fit.n).at);
+  double spread = 0;
+  for (const Branch& branch : branches) {
+    double mean = 0;
+    for (std::size_t i = 0; i < branch.samples.size(); ++i)
+      mean += branch.samples.weight[i] * branch.samples.F_bar[i];
+    for (std::size_t i = 0; i < branch.samples.size(); ++i)
+      spread += branch.samples.weight[i] * std::pow(branch.samples.F_bar[i] - mean, 2);
+  }
+  fit.unloading_r_squared = 1 - error(fit.m, fit.n) / spread;
+}
+
 } // namespace
 
 press::Curve hertz_consistent(const press::Curve& curve) {
@@ -146,14 +211,19 @@ double WangFit::F_over_F_y(double omega) const {
   return omega < 1 ? std::pow(omega, 1.5) : a * std::pow(omega, b);
 }
 
+FirstYield first_yield(double E, double nu, double phi_deg, double sigma_c, double R) {
+  const double p0 = law::drucker_prager_yield(nu, phi_deg, sigma_c).p0;
+  const double E_star = E / (1 - nu * nu), a = std::numbers::pi * p0 / (2 * E_star) * R;
+  return {2 * std::numbers::pi / 3 * p0 * a * a, a * a / R, a};
+}
+
 WangFit fit_wang(const press::Curve& pressed) {
   check(pressed);
   const press::Curve curve = hertz_consistent(pressed);
   WangFit fit;
-  const double p0 = law::drucker_prager_yield(curve.nu, curve.phi_deg, curve.sigma_c_Pa).p0;
-  const double E_star = curve.E_Pa / (1 - curve.nu * curve.nu), R = curve.radius_m;
-  fit.F_y_N = std::pow(std::numbers::pi * p0, 3) * R * R / (6 * E_star * E_star);
-  fit.delta_y_m = std::pow(std::numbers::pi * p0 / (2 * E_star), 2) * R;
+  const FirstYield yield = first_yield(curve.E_Pa, curve.nu, curve.phi_deg, curve.sigma_c_Pa, curve.radius_m);
+  fit.F_y_N = yield.F_N;
+  fit.delta_y_m = yield.delta_m;
 
   const Samples samples = plastic_samples(curve, fit);
   const auto power = [](double omega, double b) { return std::pow(omega, b); };
@@ -166,6 +236,7 @@ WangFit fit_wang(const press::Curve& pressed) {
   fit.omega_max = samples.delta_bar.back();
   fit.others = {exponential(samples), polynomial(samples, "parabola", 2), polynomial(samples, "cubic", 3)};
   fit_branches(curve, fit);
+  fit_branches_together(curve, fit);
   return fit;
 }
 
@@ -182,9 +253,9 @@ LawCard law_card(const press::Curve& curve, const WangFit& fit, std::string_view
   put("b", fit.b);
   card.errors = {{"R2", fit.r_squared}, {"rmse_over_F_y", fit.rmse}};
   if (!fit.unloading.empty()) {
-    put("m", fit.unloading.back().m);
-    put("n", fit.unloading.back().n);
-    card.errors.emplace_back("unload_R2", fit.unloading.back().r_squared);
+    put("m", fit.m);
+    put("n", fit.n);
+    card.errors.emplace_back("unload_R2", fit.unloading_r_squared);
   }
   const double delta_y_bar = fit.delta_y_m / curve.radius_m;
   card.delta_bar = {delta_y_bar, fit.omega_max * delta_y_bar};

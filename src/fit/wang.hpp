@@ -31,6 +31,12 @@ struct WangUnloadingFit {
   double r_squared = 0;
 };
 
+/// Hertz at first yield on the axis: one sphere on a rigid plane, or of two equal ones.
+struct FirstYield {
+  double F_N, delta_m, contact_radius_m;
+};
+FirstYield first_yield(double E_Pa, double nu, double phi_deg, double sigma_c_Pa, double radius_m);
+
 struct WangFit {
   double F_y_N = 0;
   double delta_y_m = 0; ///< of one sphere
@@ -41,6 +47,8 @@ struct WangFit {
   double rmse = 0;                         ///< of F/F_y
   std::vector<FormFit> others;             ///< exponential, parabola, cubic polynomial (WG 4.1)
   std::vector<WangUnloadingFit> unloading; ///< ascending in omega_max
+  double m = 0, n = 0; ///< of all branches together, each weighed alike; 0 where there is none
+  double unloading_r_squared = 0;
   std::vector<UnloadingFit> branches; ///< the same over the Hertz-consistent overlap, as they were fitted
   std::vector<std::string> skipped;   ///< branches that are too short
 
@@ -55,7 +63,7 @@ press::Curve hertz_consistent(const press::Curve&);
 /// beyond first yield.
 WangFit fit_wang(const press::Curve&);
 
-/// The law card: `fitted` with m and n of the branch from the largest overlap, `generic` where there is none.
+/// The law card: `fitted` with m and n of all branches together, `generic` where there is none.
 LawCard law_card(const press::Curve&, const WangFit&, std::string_view curve_text);
 
 } // namespace platen::fit

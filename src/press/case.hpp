@@ -19,8 +19,9 @@ struct Case {
   int elements = 5000;             ///< wanted number of elements; the mesh comes close to it
   double step_max = 0.005;         ///< largest step of delta_bar
   std::vector<double> fields_at;   ///< delta_bar at which fields are kept, ascending
-  // The local press goes by force.
-  double force_max_N = 100;          ///< largest force
+  // The local press goes by force as well, and ends at whichever of force_max_N and delta_bar_max is met
+  // first.
+  double force_max_N = 100;          ///< largest force; may be infinite
   std::vector<double> unload_from_N; ///< forces at which a branch unloads, ascending
   std::vector<double> fields_at_N;   ///< forces at which fields and pressure profiles are kept, ascending
   double first_contact_bar = 0.0015; ///< contact radius/R0 from which on `edges` edges lie under the contact

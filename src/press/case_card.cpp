@@ -11,12 +11,15 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 namespace platen::press {
 namespace {
 
 using core::closed, core::Field, core::left_open, core::positive;
 using core::Table, core::Value;
+
+constexpr double no_limit = std::numeric_limits<double>::infinity();
 
 struct Head {
   int platen = 1;
@@ -45,8 +48,16 @@ const std::vector<Field<Case>> mesh_fields = {
 };
 // Wang et al. 3.3: loads to 100 N.
 const std::vector<Field<Case>> local_path_fields = {
-    Field<Case>{"force_max_N", &Case::force_max_N, "largest force", positive}.optional(),
+    Field<Case>{"force_max_N", &Case::force_max_N,
+                "largest force; not limited where delta_bar_max alone is given", positive}
+        .optional(),
     Field<Case>{"unload_from_N", &Case::unload_from_N, "force from which a branch unloads", positive}
+        .optional()
+        .growing(),
+    Field<Case>{"delta_bar_max", &Case::delta_bar_max, "largest delta/R0; loading ends where either is met",
+                left_open(0, 0.5)}
+        .optional(),
+    Field<Case>{"unload_from", &Case::unload_from, "delta/R0 from which a branch unloads", left_open(0, 0.5)}
         .optional()
         .growing(),
     Field<Case>{"reload", &Case::reload, "whether each unloaded branch is loaded again"}.optional(),
@@ -60,6 +71,9 @@ const std::vector<Field<Case>> local_mesh_fields = {
 const std::vector<Field<Case>> local_output_fields = {
     Field<Case>{"fields_at_N", &Case::fields_at_N, "force at which fields and the pressure profile are kept",
                 positive}
+        .optional()
+        .growing(),
+    Field<Case>{"fields_at", &Case::fields_at, "delta/R0 at which they are kept", left_open(0, 0.5)}
         .optional()
         .growing(),
 };
@@ -90,19 +104,33 @@ void check_within_path(const std::vector<double>& values, double end, const std:
 
 /// The sections of a local case.
 Case read_local(const Table& card, Case result) {
+  const auto within_path = [&](const Table& section, const char* key, const std::vector<double>& overlaps,
+                               const std::vector<double>& forces) {
+    check_within_path(overlaps, result.delta_bar_max, core::place(section, key));
+    check_within_path(forces, result.force_max_N, core::place(section, fmt::format("{}_N", key)),
+                      "force_max_N");
+  };
   if (const Table* path = core::section(card, "path")) {
     result = core::read_fields(*path, local_path_fields, result);
-    check_within_path(result.unload_from_N, result.force_max_N, core::place(*path, "unload_from_N"),
-                      "force_max_N");
+    if (path->find("delta_bar_max") && !path->find("force_max_N")) result.force_max_N = no_limit;
+    within_path(*path, "unload_from", result.unload_from, result.unload_from_N);
   }
   if (const Table* mesh = core::section(card, "mesh"))
     result = core::read_fields(*mesh, local_mesh_fields, result);
   if (const Table* output = core::section(card, "output")) {
     result = core::read_fields(*output, local_output_fields, result);
-    check_within_path(result.fields_at_N, result.force_max_N, core::place(*output, "fields_at_N"),
-                      "force_max_N");
+    within_path(*output, "fields_at", result.fields_at, result.fields_at_N);
   }
   return result;
+}
+
+/// The path of a local case; a force that nobody asked for is not in it.
+std::string local_path_lines(const Case& c) {
+  std::string lines;
+  for (const auto& field : local_path_fields)
+    if (field.key != "force_max_N" || c.force_max_N < no_limit)
+      lines += core::card_line(field.key, core::value_of(field, c));
+  return lines;
 }
 
 std::filesystem::path find_material(const Table& card, const std::string& what) {
@@ -173,7 +201,7 @@ std::string case_text(const Case& c) {
   material.replace(at, std::string_view("[parameters]").size(), "[material.parameters]");
   return fmt::format("{}\n[path]\n{}\n[mesh]\n{}\n[output]\n{}\n[material]\n{}",
                      core::card_lines(head_fields, Head{1, c.experiment, c.radius_m}),
-                     core::card_lines(local ? local_path_fields : path_fields, c),
+                     local ? local_path_lines(c) : core::card_lines(path_fields, c),
                      core::card_lines(local ? local_mesh_fields : mesh_fields, c),
                      core::card_lines(local ? local_output_fields : output_fields, c), material);
 }

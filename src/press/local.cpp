@@ -31,6 +31,7 @@ struct Stop {}; ///< the callback asked to stop
 void check(const Case& c) {
   const auto refuse = [](const std::string& what) { throw core::InvalidInput(what); };
   if (!(c.force_max_N > 0)) refuse("force_max_N must be positive");
+  if (!(c.delta_bar_max > 0 && c.delta_bar_max <= 0.5)) refuse("delta_bar_max must lie in (0, 0.5]");
   if (!(c.radius_m > 0)) refuse("radius_m must be positive");
   if (!(c.first_contact_bar >= 1e-4 && c.first_contact_bar <= 0.02))
     refuse("first_contact_bar must lie in [1e-4, 0.02]");
@@ -38,6 +39,9 @@ void check(const Case& c) {
   for (const auto* list : {&c.unload_from_N, &c.fields_at_N})
     for (const double F : *list)
       if (!(F > 0 && F <= c.force_max_N)) refuse("forces of the path must lie in (0, force_max_N]");
+  for (const auto* list : {&c.unload_from, &c.fields_at})
+    for (const double x : *list)
+      if (!(x > 0 && x <= c.delta_bar_max)) refuse("overlaps of the path must lie in (0, delta_bar_max]");
 }
 
 class LocalPress {
@@ -46,7 +50,8 @@ class LocalPress {
       : press_case(c), progress(progress_), run(c), watch(c, run) {
     result.curve = begun_curve(c);
     std::tie(result.curve.phi_deg, result.curve.sigma_c_Pa) = drucker_prager_strength(c.material.model);
-    stops = halts(c.unload_from_N, c.fields_at_N, c.force_max_N);
+    forces = halts(c.unload_from_N, c.fields_at_N, c.force_max_N);
+    overlaps = halts(c.unload_from, c.fields_at, c.delta_bar_max);
   }
 
   LocalResult operator()() {
@@ -65,34 +70,42 @@ class LocalPress {
   }
 
  private:
-  static bool wanted(const std::vector<double>& list, double F) {
-    return std::find(list.begin(), list.end(), F) != list.end();
+  static bool wanted(const std::vector<double>& list, double x) {
+    return std::find(list.begin(), list.end(), x) != list.end();
   }
 
   void load() {
     const double first = first_contact * press_case.first_contact_bar;
     double step = first * first;
     int cuts = 0;
-    for (const double stop : stops) {
-      while (run.row().force_N < stop * (1 - relative_force_tolerance)) {
-        const SphereRun::State before = run.state();
-        const double here = before.delta_bar;
-        if (here > 0 && cuts == 0) step = here * (loading_growth - 1);
-        if (!try_step(here + step)) {
-          if (++cuts == cuts_max) return fail(here);
-          step /= 2;
-          continue;
-        }
-        cuts = std::max(0, cuts - 1);
-        if (run.row().force_N > stop * (1 + relative_force_tolerance) && !meet(stop, before))
-          return fail(here);
-        accept(Branch::loading, 0, result.curve.points);
+    auto force = forces.cbegin(), overlap = overlaps.cbegin();
+    while (force != forces.cend() && overlap != overlaps.cend()) {
+      const SphereRun::State before = run.state();
+      const double here = before.delta_bar;
+      if (here > 0 && cuts == 0) step = here * (loading_growth - 1);
+      if (!try_step(std::min(here + step, *overlap))) {
+        if (++cuts == cuts_max) return fail(here);
+        step /= 2;
+        continue;
       }
-      if (wanted(press_case.fields_at_N, stop)) {
+      cuts = std::max(0, cuts - 1);
+      if (run.row().force_N > *force * (1 + relative_force_tolerance) && !meet(*force, before))
+        return fail(here);
+      accept(Branch::loading, 0, result.curve.points);
+      bool keep = false, unload = false;
+      if (run.row().force_N >= *force * (1 - relative_force_tolerance)) {
+        keep |= wanted(press_case.fields_at_N, *force);
+        unload |= wanted(press_case.unload_from_N, *force++);
+      }
+      if (run.delta_bar() >= *overlap) {
+        keep |= wanted(press_case.fields_at, *overlap);
+        unload |= wanted(press_case.unload_from, *overlap++);
+      }
+      if (keep) {
         result.snapshots.push_back(run.snapshot(Branch::loading));
-        result.profiles.push_back(profile(stop));
+        result.profiles.push_back(profile());
       }
-      if (wanted(press_case.unload_from_N, stop)) branch();
+      if (unload) branch();
     }
   }
 
@@ -154,8 +167,8 @@ class LocalPress {
     run.restore(loaded);
   }
 
-  PressureProfile profile(double force) const {
-    PressureProfile p{force, run.row().contact_radius_m, {}};
+  PressureProfile profile() const {
+    PressureProfile p{run.row().force_N, run.row().contact_radius_m, {}};
     for (const auto& ring : run.plane().pressure_profile())
       p.points.push_back({(ring.inner + ring.outer) / 2 * press_case.radius_m, ring.pressure});
     return p;
@@ -171,7 +184,8 @@ class LocalPress {
     into.push_back(run.row(kind, id));
     if (kind == Branch::loading) {
       watch.look(run);
-      last_fraction = run.row().force_N / press_case.force_max_N;
+      last_fraction =
+          std::max(run.row().force_N / press_case.force_max_N, run.delta_bar() / press_case.delta_bar_max);
     }
     if (progress && !progress(last_fraction, into.back())) throw Stop{};
   }
@@ -186,7 +200,7 @@ class LocalPress {
   SphereRun run;
   YieldWatch watch;
   LocalResult result;
-  std::vector<double> stops;
+  std::vector<double> forces, overlaps; ///< where loading halts
   std::vector<CurvePoint> branches;
   std::string why;
   int branch_id = 0;
@@ -201,7 +215,9 @@ LocalResult local(const Case& c, const Progress& progress) {
 }
 
 std::string profile_name(const PressureProfile& p) {
-  return fmt::format("profile-{}.csv", core::number_text(p.force_N));
+  // A force is met to a share of 1e-5.
+  const double force = *core::number_from(fmt::format("{:.4g}", p.force_N));
+  return fmt::format("profile-{}.csv", core::number_text(force));
 }
 
 std::string profile_csv(const PressureProfile& p) {

@@ -1,6 +1,6 @@
 #pragma once
 // The local press: two equal spheres, or a sphere on a rigid plane, at loads where the contact radius is a
-// few per cent of the sphere's (Wang et al. section 3). The path goes by force.
+// few per cent of the sphere's (Wang et al. section 3). The path goes by force or by overlap.
 //
 // One mesh serves all loads (fe/contact_grid.hpp). The sphere is whole: what its finite size adds to the
 // approach is in delta_m, and taken out in hertz_delta_m, which laws that have Hertz's elastic limit are
@@ -25,6 +25,9 @@ struct PressureProfile {
   std::vector<std::array<double, 2>> points; ///< radius in the middle of an edge (m), mean pressure (Pa)
 };
 
+/// Thresholds of the plastic strain sqrt(2/3 e:e).
+inline constexpr std::array<double, 5> joining_strains = {1e-5, 1e-4, 2e-4, 5e-4, 1e-3};
+
 struct BreakThrough {
   double plastic_strain; ///< threshold of the norm of the plastic strain
   double force_N;
@@ -32,19 +35,19 @@ struct BreakThrough {
 
 struct LocalResult : Result {
   std::optional<Onset> axis; ///< first yield within 0.1 a of the axis
-  std::optional<Onset> edge; ///< near the contact edge, as far as the mesh resolves it: no nearer than its
-                             ///< outermost Gauss points, while Hertz's field is steepest at the surface
+  std::optional<Onset> edge; ///< of the free surface at the contact edge
   std::vector<PressureProfile> profiles;
   /// Where the plastic zone under the contact first reaches the free surface, for several thresholds of
   /// the plastic strain; absent where it did not.
   std::vector<BreakThrough> break_through;
 };
 
-/// Loads to force_max_N; from each force of unload_from_N unloads a copy of the loaded state until it
-/// separates, and loads it again to where it came from where the case says so. Errors as simple().
+/// Loads to force_max_N or delta_bar_max, whichever is met first; from each force of unload_from_N and
+/// overlap of unload_from unloads a copy of the loaded state until it separates, and loads it again to where
+/// it came from where the case says so. Errors as simple().
 LocalResult local(const Case&, const Progress& = {});
 
-/// profile-*.csv: `# key = value` lines, then radius_m,pressure_Pa.
+/// profile-F.csv, F in N: `# key = value` lines, then radius_m,pressure_Pa.
 std::string profile_csv(const PressureProfile&);
 std::string profile_name(const PressureProfile&);
 

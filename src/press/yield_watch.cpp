@@ -7,16 +7,18 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <queue>
 
 namespace platen::press {
 namespace {
 
 constexpr double on_axis = 0.1; // r/a
-/// The contact edge: r/a beyond the first, depth/a below the second.
-constexpr double edge_radius = 0.8, edge_depth = 0.1;
+/// Where the free surface beside the contact is looked at: edges of the mesh left out beside the contact
+/// edge, which cuts them, and r/a up to here.
+constexpr int edges_left_out = 2;
+constexpr double beside = 1.4;
 /// The zone under the contact is what flows at least this deep, in contact radii.
 constexpr double core_depth = 0.25;
-constexpr std::array<double, 5> thresholds = {1e-5, 1e-4, 2e-4, 5e-4, 1e-3}; // of plastic strain
 constexpr double degree = std::numbers::pi / 180;
 
 struct Strength {
@@ -85,82 +87,113 @@ void YieldWatch::look(const SphereRun& run) {
 
 void YieldWatch::look_for_onset(const SphereRun& run) {
   const double a = run.row().contact_radius_m / press_case.radius_m;
-  if ((axis.met && edge.met) || a < press_case.first_contact_bar) return;
-  struct Nearest {
-    int point = -1;
-    double reserve = std::numeric_limits<double>::infinity();
-  } at_axis, at_edge;
-  for (int i = 0; i < static_cast<int>(places.size()); ++i) {
-    const auto [r, depth] = places[i];
-    const bool is_axis = r < on_axis * a && depth < 2 * a;
-    const bool is_edge = r > edge_radius * a && r < 2 * a && depth < edge_depth * a;
-    if (!(is_axis && !axis.met) && !(is_edge && !edge.met)) continue;
-    const material::PointUpdate& point = run.sphere().updates[i];
-    const bool elastic = point.zone == Zone::elastic;
-    const double reserve = elastic ? material::stress_reserve(run.sphere().model, point.sigma, point.phi) : 1;
-    Nearest& nearest = is_axis ? at_axis : at_edge;
-    if (reserve < nearest.reserve) nearest = {i, reserve};
+  if (a < press_case.first_contact_bar) return;
+  if (!axis.met) {
+    double least = std::numeric_limits<double>::infinity();
+    std::array<double, 2> place{};
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      const auto [r, depth] = places[i];
+      if (r >= on_axis * a || depth >= 2 * a) continue;
+      const material::PointUpdate& point = run.sphere().updates[i];
+      const bool elastic = point.zone == Zone::elastic;
+      const double reserve =
+          elastic ? material::stress_reserve(run.sphere().model, point.sigma, point.phi) : 1;
+      if (reserve >= least) continue;
+      least = reserve;
+      place = {r / a, depth / a};
+    }
+    extend(axis, run.row().force_N, place, least);
   }
-  if (!axis.met) extend(axis, run, at_axis.point, at_axis.reserve);
-  if (!edge.met) extend(edge, run, at_edge.point, at_edge.reserve);
+  if (!edge.met) extend(edge, run.row().force_N, {1, 0}, edge_reserve(run));
 }
 
-void YieldWatch::extend(Candidate& candidate, const SphereRun& run, int point, double reserve) const {
-  if (point < 0) return;
-  if (reserve <= 1) {
-    candidate.met = true;
-    return;
-  }
+/// The factor by which the stress of the surface at the contact edge may grow. Under the surface it falls
+/// with the square root of the depth, too steeply for any Gauss point; along the free surface it falls as
+/// 1/r^2. So it is taken from the strains of the free surface, where one principal stress is zero, and
+/// followed to the contact edge along a line through (r/a)^2/reserve.
+double YieldWatch::edge_reserve(const SphereRun& run) const {
+  const fe::AxisymmetricMesh& mesh = run.sphere().mesh;
+  const std::vector<double>& u = run.state().u;
+  const double E = material::initial_E(run.sphere().model), nu = material::initial_nu(run.sphere().model);
   const double a = run.row().contact_radius_m / press_case.radius_m;
-  candidate.last =
-      Onset{run.row().force_N * std::pow(reserve, 3), places[point][0] / a, places[point][1] / a};
+  const auto place = [&](int node) {
+    return std::array{mesh.nodes[node][0] + u[2 * node], mesh.nodes[node][1] + u[2 * node + 1]};
+  };
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+  int free = 0;
+  for (std::size_t i = 0; i + 1 < mesh.surface.size(); ++i) {
+    const int from = mesh.surface[i], to = mesh.surface[i + 1];
+    const auto A = mesh.nodes[from], B = mesh.nodes[to], p = place(from), q = place(to);
+    if (p[0] < a || ++free <= edges_left_out) continue;
+    const double r = (p[0] + q[0]) / 2;
+    if (r > beside * a && n > 1) break;
+    const double along =
+                     std::log(std::hypot(q[0] - p[0], q[1] - p[1]) / std::hypot(B[0] - A[0], B[1] - A[1])),
+                 around = std::log((p[0] + q[0]) / (A[0] + B[0]));
+    const double plane = E / (1 - nu * nu);
+    const double reserve = material::stress_reserve(
+        run.sphere().model, {plane * (along + nu * around), plane * (around + nu * along), 0}, 0);
+    const double t = r / a - 1, value = (1 + t) * (1 + t) / reserve;
+    n += 1, x += t, y += value, xx += t * t, xy += t * value;
+  }
+  if (n < 2) return std::numeric_limits<double>::infinity();
+  return (n * xx - x * x) / (y * xx - x * xy);
+}
+
+void YieldWatch::extend(Candidate& candidate, double force_N, std::array<double, 2> place, double reserve) {
+  if (reserve <= 1) candidate.met = true;
+  else if (reserve < 1e6) candidate.last = Onset{force_N * std::pow(reserve, 3), place[0], place[1]};
 }
 
 void YieldWatch::look_for_break_through(const SphereRun& run) {
-  if (broken.size() == thresholds.size() || run.row().zone_elastic == 1) return;
+  if (broken.size() == joining_strains.size() || run.row().zone_elastic == 1) return;
   const auto& points = run.state().points;
   std::vector<double> plastic(neighbours.size(), 0);
   for (std::size_t i = 0; i < points.size(); ++i) plastic[i / 4] += plastic_magnitude(points[i].state) / 4;
-  for (const double threshold : thresholds) {
-    const auto same = [&](const BreakThrough& b) { return b.plastic_strain == threshold; };
-    if (std::none_of(broken.begin(), broken.end(), same) && breaks_through(run, plastic, threshold))
-      broken.push_back({threshold, run.row().force_N});
-  }
+  const double now = joining_strain(plastic, run.row().contact_radius_m / press_case.radius_m);
+  const double F = run.row().force_N;
+  for (const double threshold : joining_strains)
+    if (joined.plastic_strain < threshold && now >= threshold)
+      broken.push_back(
+          {threshold, joined.force_N + (F - joined.force_N) * (threshold - joined.plastic_strain) /
+                                           (now - joined.plastic_strain)});
+  joined = {std::max(joined.plastic_strain, now), F};
 }
 
-/// Whether the elements beyond the threshold join the axis under the contact with the sphere outside it.
-bool YieldWatch::breaks_through(const SphereRun& run, const std::vector<double>& plastic,
-                                double threshold) const {
-  const double a = run.row().contact_radius_m / press_case.radius_m;
-  std::vector<char> reached(plastic.size(), 0);
-  std::vector<int> front;
-  const auto reach = [&](int e) {
-    if (reached[e] || plastic[e] < threshold) return;
-    reached[e] = 1;
-    front.push_back(e);
+/// The largest plastic strain beyond which elements still join the axis under the contact with the sphere
+/// outside it: of all ways between the two the one whose weakest element is strongest. It grows with the
+/// load, and between two steps it is interpolated.
+double YieldWatch::joining_strain(const std::vector<double>& plastic, double a) const {
+  std::vector<double> weakest(plastic.size(), 0); // on the best way to the element
+  std::priority_queue<std::pair<double, int>> front;
+  const auto reach = [&](int e, double strain) {
+    if (strain <= weakest[e]) return;
+    weakest[e] = strain;
+    front.emplace(strain, e);
   };
   for (std::size_t i = 0; i < places.size(); ++i)
     if (places[i][0] < on_axis * a && places[i][1] > core_depth * a && places[i][1] < a)
-      reach(static_cast<int>(i / 4));
+      reach(static_cast<int>(i / 4), plastic[i / 4]);
   while (!front.empty()) {
-    const int e = front.back();
-    front.pop_back();
-    for (const int n : neighbours[e]) reach(n);
+    const auto [strain, e] = front.top();
+    front.pop();
+    if (strain < weakest[e]) continue;
+    for (const int n : neighbours[e]) reach(n, std::min(strain, plastic[n]));
   }
-  return std::any_of(at_sphere.begin(), at_sphere.end(),
-                     [&](const auto& at) { return reached[at.first] && at.second > a; });
+  double most = 0;
+  for (const auto& [e, angle] : at_sphere)
+    if (angle > a) most = std::max(most, weakest[e]);
+  return most;
 }
 
 void YieldWatch::report(LocalResult& result) const {
   if (axis.met) result.axis = axis.last;
   if (edge.met) result.edge = edge.last;
-  if (axis.met && !axis.last)
+  if ((axis.met && !axis.last) || (edge.met && !edge.last))
     result.flags.push_back(
         "first yield comes before the smallest contact that the mesh resolves, so no onset is "
         "told: lower first_contact_bar");
   result.break_through = broken;
-  std::sort(result.break_through.begin(), result.break_through.end(),
-            [](const auto& x, const auto& y) { return x.plastic_strain < y.plastic_strain; });
 }
 
 } // namespace platen::press

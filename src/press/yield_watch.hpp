@@ -23,19 +23,21 @@ class YieldWatch {
  private:
   void look_for_onset(const SphereRun&);
   void look_for_break_through(const SphereRun&);
-  bool breaks_through(const SphereRun&, const std::vector<double>& plastic_strain, double threshold) const;
+  double joining_strain(const std::vector<double>& plastic_strain, double a) const;
 
   struct Candidate { ///< for an onset: of the last step before it
     std::optional<Onset> last;
     bool met = false;
   };
-  void extend(Candidate&, const SphereRun&, int point, double reserve) const;
+  static void extend(Candidate&, double force_N, std::array<double, 2> place, double reserve);
+  double edge_reserve(const SphereRun&) const;
 
   const Case& press_case;
   std::vector<std::array<double, 2>> places;     ///< of the Gauss points, R0: r, depth below the pole
   std::vector<std::vector<int>> neighbours;      ///< elements that share an edge
   std::vector<std::pair<int, double>> at_sphere; ///< elements at the sphere, their polar angle
   Candidate axis, edge;
+  BreakThrough joined{0, 0}; ///< of the last step
   std::vector<BreakThrough> broken;
 };
 

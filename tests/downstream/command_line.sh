@@ -113,6 +113,12 @@ printf 'platen = 1\nexperiment = "local"\nmaterial = "wang-type-1"\nradius_m = 0
 answers 2 'force_max_N = -1 is not allowed' "$platen" press local.toml -o out
 has_not out
 answers 0 'depth of first yield' "$platen" laws wang -p radius_m=0.1 -p E_Pa=10e9 -p nu=0.15 -p phi_deg=25 -p sigma_c_Pa=15e6
+answers 2 'one uniaxial strength' "$platen" derive base-case --law wang -o out
+answers 2 "did you mean 'wang'?" "$platen" derive wang-type-1 --law wangs -o out
+answers 2 '--elements is not for --law wang' "$platen" derive wang-type-1 --law wang --elements 100 -o out
+answers 2 'the load ends before first yield' "$platen" derive wang-type-1 --law wang --delta_bar_max 1e-6 -o out
+answers 2 '--force_max_N is for --law wang' "$platen" derive base-case --force_max_N 3 -o out
+has_not out
 printf 'delta_m,force_N\n0,0\n1e-5,1\n' >curve.csv
 answers 2 '--sigma_c_Pa' "$platen" fit curve.csv --radius_m 1e-3 --E_Pa 1e9 --nu 0.3 --law wang
 

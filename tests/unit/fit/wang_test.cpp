@@ -68,8 +68,35 @@ TEST(WangFit, FindsTheParametersThatMadeTheCurve) {
   const auto& u = fit.unloading.front();
   EXPECT_NEAR(u.n, 1.38, 1e-4);
   EXPECT_NEAR(u.delta_res_m / m.delta_y, 0.6, 1e-3);
-  EXPECT_NEAR(u.m, 1.02 * std::pow(8, 1.43) / std::pow(7.4, 1.38), 1e-3);
+  const double made_m = 1.02 * std::pow(8, 1.43) / std::pow(7.4, 1.38);
+  EXPECT_NEAR(u.m, made_m, 1e-3);
+  EXPECT_NEAR(fit.n, 1.38, 1e-3); // one branch alone says the same
+  EXPECT_NEAR(fit.m, made_m, 3e-3);
   for (const auto& form : fit.others) EXPECT_LT(form.r_squared, fit.r_squared) << form.name;
+}
+
+TEST(WangFit, FindsOneUnloadingLawForSeveralBranches) {
+  Made made_curve = made(1.02, 1.43, 0.6, 1.38);
+  const double made_m = 1.02 * std::pow(8, 1.43) / std::pow(7.4, 1.38);
+  // A second branch of the same m and n, from omega = 4.
+  const double F_max = 1.02 * std::pow(4, 1.43), range = std::pow(F_max / made_m, 1 / 1.38);
+  for (int i = 0; i < 30; ++i) {
+    press::CurvePoint point;
+    point.branch = press::Branch::unloading;
+    point.branch_id = 2;
+    const double left = 1 - i / 30.0;
+    point.hertz_delta_m = (4 - range + range * left) * made_curve.delta_y;
+    point.delta_m = 0.99 * point.hertz_delta_m;
+    point.delta_bar = point.delta_m / made_curve.curve.radius_m;
+    point.force_N = F_max * std::pow(left, 1.38) * made_curve.F_y;
+    made_curve.curve.points.push_back(point);
+  }
+  press::set_reference_stress(made_curve.curve, 15e6);
+  const auto fit = fit::fit_wang(made_curve.curve);
+  ASSERT_EQ(fit.unloading.size(), 2u);
+  EXPECT_NEAR(fit.n, 1.38, 1e-4);
+  EXPECT_NEAR(fit.m, made_m, 1e-3);
+  EXPECT_GT(fit.unloading_r_squared, 1 - 1e-8);
 }
 
 TEST(WangFit, MakesACardThatReadsBackAsTheLaw) {

@@ -2,6 +2,7 @@
 #include "core/file.hpp"
 #include "plot/curve_picture.hpp"
 #include "plot/field_map.hpp"
+#include "plot/local_picture.hpp"
 #include "plot/zone_map.hpp"
 #include "section.hpp"
 
@@ -140,6 +141,42 @@ TEST_F(Pictures, AZoneMapIsDrawnAsPng) {
   if (!has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
   plot::zone_map({test::quarter_disc(6, 0.1, by_radius)}, "it's a title", folder_ / "zones.png");
   EXPECT_EQ(core::read_file(folder_ / "zones.png").substr(1, 3), "PNG");
+}
+
+TEST_F(Pictures, OfALocalPressNameLoadsAndUnits) {
+  if (!has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
+  press::LocalResult result;
+  EXPECT_THROW(plot::approach_picture(result, folder_ / "approach.svg"), core::InvalidInput);
+  EXPECT_THROW(plot::plastic_zone_picture(result, folder_ / "zones.svg"), core::InvalidInput);
+  result.curve = curve();
+  result.curve.E_Pa = 1e9;
+  result.curve.nu = 0.3;
+  for (auto& point : result.curve.points) {
+    point.force_N = point.F_bar;
+    point.hertz_delta_m = point.delta_bar * 1e-3;
+  }
+  auto snapshot = test::quarter_disc(12, 0.1, by_radius);
+  for (const auto& zone : snapshot.zones) {
+    snapshot.plastic_strain_v.push_back(0);
+    snapshot.plastic_strain_q.push_back(zone[0] == press::Zone::shear ? 3e-4 : 0);
+  }
+  result.snapshots = {snapshot, snapshot};
+  result.profiles = {{0.5, 3e-4, {{0, 1e6}, {2e-4, 0}}}, {0.75, 5e-4, {{0, 1e6}, {4e-4, 0}}}};
+  plot::approach_picture(result, folder_ / "approach.svg");
+  plot::peaks_picture(result, folder_ / "peaks.svg");
+  plot::pressure_picture(result, folder_ / "pressure.svg");
+  plot::plastic_zone_picture(result, folder_ / "zones.svg");
+  const auto has = [&](const char* file, const char* words) {
+    EXPECT_NE(core::read_file(folder_ / file).find(words), std::string::npos) << file << ": " << words;
+  };
+  has("approach.svg", "(µm)");
+  has("approach.svg", "Hertz");
+  has("peaks.svg", "(MPa)");
+  has("pressure.svg", "750 mN");
+  has("pressure.svg", "(µm)");
+  has("zones.svg", "750 mN, a = 500 µm");
+  has("zones.svg", "from 0.0002");
+  EXPECT_EQ(files(), 4u);
 }
 
 TEST_F(Pictures, WithoutGnuplotOneSentenceSaysWhatToInstall) {

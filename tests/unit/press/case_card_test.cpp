@@ -63,7 +63,8 @@ TEST(CaseCard, OfALocalPressGoesByForce) {
   const std::string local = "platen = 1\nexperiment = \"local\"\nmaterial = \"elastic\"\nradius_m = 0.1\n";
   EXPECT_EQ(refusal(local + "[path]\nforce_max_N = 5\nunload_from_N = [6]"),
             "c.toml, line 7: [path] unload_from_N goes to 6, beyond force_max_N = 5");
-  EXPECT_NE(refusal(local + "[path]\ndelta_bar_max = 0.1").find("there is no such key"), std::string::npos);
+  EXPECT_EQ(refusal(local + "[path]\ndelta_bar_max = 0.001\n[output]\nfields_at = [0.002]"),
+            "c.toml, line 8: [output] fields_at goes to 0.002, beyond delta_bar_max = 0.001");
   EXPECT_NE(refusal(local + "[mesh]\nedges = 4").find("[8, 100]"), std::string::npos);
 }
 

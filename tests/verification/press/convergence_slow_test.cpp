@@ -47,8 +47,8 @@ TEST_P(Convergence, OfTheDefaultMeshIsNearTheLimitOfThreeMeshes) {
                  radius = error(&press::CurvePoint::contact_radius_m);
     std::printf("E/sigma_y %.0f, delta_bar %.2f: force %+.2f %%, radius %+.2f %%\n", GetParam(), compared[i],
                 force, radius);
-    // Aimed at is 1 %. E/sigma_y = 500 misses it at 0.05, by -1.04 %.
-    EXPECT_LT(std::abs(force), 1.1) << compared[i];
+    // The largest is -0.92 %, of E/sigma_y = 500 at 0.05: where on its scallop the point lies.
+    EXPECT_LT(std::abs(force), 1) << compared[i];
     EXPECT_LT(std::abs(radius), 2) << compared[i];
   }
 }

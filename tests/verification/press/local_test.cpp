@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 using namespace platen;
 
@@ -39,4 +40,34 @@ TEST(LocalPress, MeetsTheForcesThatItIsAskedFor) {
   const double a = profile.contact_radius_m, p0 = 1.5 * 3 / (std::acos(-1) * a * a);
   for (const auto& [r, p] : profile.points)
     if (r < 0.9 * a) { EXPECT_NEAR(p, p0 * std::sqrt(1 - r * r / (a * a)), 0.01 * p) << r / a; }
+}
+
+TEST(LocalPress, EndsAtAnOverlapOrAForceWhicheverIsFirst) {
+  press::Case c = test::elastic_case(std::numeric_limits<double>::infinity());
+  c.edges = 10;
+  c.delta_bar_max = 1e-5;
+  c.fields_at = {4e-6};
+  c.unload_from_N = {1};
+  c.unload_from = {1e-5};
+  const auto result = press::local(c);
+  ASSERT_FALSE(result.failure) << *result.failure;
+  EXPECT_EQ(press::loading_end(result.curve)->delta_bar, 1e-5);
+  EXPECT_EQ(result.curve.points.back().branch_id, 2);
+  ASSERT_EQ(result.snapshots.size(), 1u);
+  EXPECT_EQ(result.snapshots[0].delta_bar, 4e-6);
+  c.force_max_N = 1;
+  EXPECT_NEAR(press::loading_end(press::local(c).curve)->force_N, 1, 1e-4);
+}
+
+TEST(LocalPress, YieldsAtTheContactEdgeWhereHertzSaysSo) {
+  // sqrt J2 = (1 - 2 nu) p0/3 and I1 = 0 at the edge (Johnson 3.43): 7.663 N for the first row of WG Table 3,
+  // and in proportion to the cube of the strength. The sphere's own curvature adds a term of first order in
+  // a/R (2.3 % at a/R = 0.004), so the material is a tenth as strong.
+  press::Case c = test::elastic_case(9e-3);
+  const double beta = material::DruckerPrager::beta_of_friction(25);
+  c.material = {"weak", material::DruckerPrager{10e9, 0.15, beta, 1.5e6, beta}};
+  c.first_contact_bar = 1.5e-4;
+  const auto result = press::local(c);
+  ASSERT_TRUE(result.edge);
+  EXPECT_NEAR(result.edge->force_N, 7.663e-3, 0.02 * 7.663e-3);
 }
