@@ -122,12 +122,8 @@ std::unique_ptr<Prepared> prepare(const Contact& contact, int index, double R1, 
   auto made =
       std::make_unique<Prepared>(Prepared{fit::make_law(contact.one, parameters(contact, R1, R2)), {}});
   Terms& t = made->terms;
-  std::visit(
-      [&](const auto& l) {
-        t.law = &l;
-        t.shear = eight_G(l.pair) * units.length / units.force;
-      },
-      made->law);
+  t.law = &made->law;
+  t.shear = std::visit([&](const auto& l) { return eight_G(l.pair); }, made->law) * units.length / units.force;
   if (contact.friction > 0 && !(t.shear > 0 && std::isfinite(t.shear)))
     throw InvalidInput(
         fmt::format("{}: friction needs Young's modulus and Poisson's ratio, which the law {} does not "
@@ -150,7 +146,6 @@ void LawTable::reset(int types, std::vector<Contact> contacts, std::vector<int> 
   classes_.clear();
   laws_.clear();
   terms_.clear();
-  any_.clear();
   only_kind_ = -1;
 }
 
@@ -168,12 +163,8 @@ int LawTable::add(int type, double radius) {
                     most_classes, type, radius));
   const std::size_t old = classes_.size(), n = old + 1;
   std::vector<Terms> terms(n * n);
-  std::vector<const law::AnyLaw*> any(n * n);
   for (std::size_t a = 0; a < old; ++a)
-    for (std::size_t b = 0; b < old; ++b) {
-      terms[a * n + b] = terms_[a * old + b];
-      any[a * n + b] = any_[a * old + b];
-    }
+    for (std::size_t b = 0; b < old; ++b) terms[a * n + b] = terms_[a * old + b];
   classes_.push_back({type, radius});
   for (std::size_t a = 0; a < n; ++a) {
     Class one = classes_[a], two = classes_[old];
@@ -183,10 +174,8 @@ int LawTable::add(int type, double radius) {
     laws_.push_back(prepare(contacts_[static_cast<std::size_t>(contact)], contact, one.radius * units_.length,
                             two.radius * units_.length, units_));
     terms[a * n + old] = terms[old * n + a] = laws_.back()->terms;
-    any[a * n + old] = any[old * n + a] = &laws_.back()->law;
   }
   terms_ = std::move(terms);
-  any_ = std::move(any);
   only_kind_ = laws_.empty() ? -1 : static_cast<int>(laws_.front()->law.index());
   for (const auto& made : laws_)
     if (static_cast<int>(made->law.index()) != only_kind_) only_kind_ = -1;

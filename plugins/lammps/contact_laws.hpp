@@ -27,7 +27,7 @@ struct Contact {
 /// A law for two radii, and what the contact loop needs beside it; in units of the host where not said
 /// otherwise.
 struct Terms {
-  const void* law = nullptr; ///< of the type that `kind` says, SI; null: not given by the user
+  const law::AnyLaw* law = nullptr; ///< SI; null: not given by the user
   double shear = 0;          ///< 8 G*: tangential stiffness over contact radius (Mindlin) [force/length/m]
   double damping = 0;        ///< c = damping sqrt(dF/dgamma m_eff) [-]
   double friction = 0;
@@ -63,7 +63,7 @@ class LawTable {
   [[nodiscard]] int classes() const { return static_cast<int>(classes_.size()); }
   /// Row-major over classes.
   [[nodiscard]] const Terms* terms() const { return terms_.data(); }
-  [[nodiscard]] const law::AnyLaw& law_of(int a, int b) const { return *any_[index(a, b)]; }
+  [[nodiscard]] const law::AnyLaw& law_of(int a, int b) const { return *terms_[index(a, b)].law; }
   /// Index of the law that all pairs have, or -1.
   [[nodiscard]] int only_kind() const { return only_kind_; }
   [[nodiscard]] const std::vector<Contact>& contacts() const { return contacts_; }
@@ -85,7 +85,6 @@ class LawTable {
   std::vector<Class> classes_;
   std::vector<std::unique_ptr<Prepared>> laws_;
   std::vector<Terms> terms_;
-  std::vector<const law::AnyLaw*> any_;
 };
 
 } // namespace platen::dem

@@ -16,14 +16,6 @@ struct Memory {
 };
 inline constexpr int memory_size = sizeof(Memory) / sizeof(double);
 
-struct Geometry {
-  double n[3];    ///< unit vector from the second body to the first
-  double overlap; ///< [length]
-  double mass;    ///< effective [mass]
-  double v_n;     ///< velocity of parting [length/time]
-  double v_t[3];  ///< sliding velocity of the first body over the second [length/time]
-};
-
 /// The law's response [SI]. Remembers the largest overlap.
 template <class Law>
 PLATEN_HOT law::Response normal(const Law& law, const Units& u, double overlap, Memory& memory) {
@@ -34,10 +26,10 @@ PLATEN_HOT law::Response normal(const Law& law, const Units& u, double overlap, 
 
 /// The normal force with viscous damping, c = damping sqrt(dF/dgamma m). It may pull for a moment as the
 /// bodies part, as in LAMMPS: cut off there, a Hertzian contact asked for e = 0.5 returns 0.55.
-PLATEN_HOT double damped(const Terms& t, const Units& u, const law::Response& now, double F, double mass,
+PLATEN_HOT double damped(const Terms& t, const Units& u, double stiffness, double F, double mass,
                          double v_n) {
   if (!(F > 0)) return F; // apart
-  return F - t.damping * std::sqrt(now.stiffness * u.length / u.force * mass) * v_n;
+  return F - t.damping * std::sqrt(stiffness * u.length / u.force * mass) * v_n;
 }
 
 /// The tangential force follows the sliding with stiffness 8 G* a. When a shrinks it shrinks with it (else
@@ -48,8 +40,7 @@ PLATEN_HOT void slide(const Terms& t, double a, double F_n, const double n[3], c
   double* f = m.tangential;
   const double along = f[0] * n[0] + f[1] * n[1] + f[2] * n[2]; // the contact plane has turned
   const double k_t = t.shear * a, more = k_t * dt;
-  double keep = 1;
-  if (k_t < m.k_t) keep = k_t / m.k_t;
+  const double keep = k_t / law::larger(law::larger(m.k_t, k_t), 1e-300); // 1 where a grows
   for (int k = 0; k < 3; ++k) f[k] = (f[k] - along * n[k]) * keep - more * v_t[k];
   const double size2 = f[0] * f[0] + f[1] * f[1] + f[2] * f[2], limit = F_n > 0 ? t.friction * F_n : 0;
   if (size2 > limit * limit) {

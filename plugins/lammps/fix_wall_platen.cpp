@@ -159,7 +159,7 @@ template <class Law> void FixWallPlaten::loop() {
     slip[axis_] -= cylinder_ ? 0 : velocity_;
     const double v_n = slip[0] * n[0] + slip[1] * n[1] + slip[2] * n[2];
     double f[3];
-    const double F = dem::damped(t, units_, now, now.force / units_.force, atom->rmass[i], v_n);
+    const double F = dem::damped(t, units_, now.stiffness, now.force / units_.force, atom->rmass[i], v_n);
     for (int k = 0; k < 3; k++) f[k] = F * n[k];
     if (t.friction > 0) {
       slip[0] -= v_n * n[0] + R * (n[2] * w[1] - n[1] * w[2]);

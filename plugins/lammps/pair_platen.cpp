@@ -25,11 +25,10 @@ std::string history_id(int instance, bool made) {
   return (made ? "NEIGH_HISTORY_PLATEN" : "NEIGH_HISTORY_PLATEN_DUMMY") + std::to_string(instance);
 }
 
-/// The law of one kind, or of any.
-template <class Law>
-PLATEN_HOT const Law& law_at(const dem::LawTable& table, const dem::Terms& t, int a, int b) {
-  if constexpr (std::is_same_v<Law, law::AnyLaw>) return table.law_of(a, b);
-  else return *static_cast<const Law*>(t.law);
+/// Of the kind that all pairs have.
+template <class Law> PLATEN_HOT const Law& law_as(const law::AnyLaw& law) {
+  if constexpr (std::is_same_v<Law, law::AnyLaw>) return law;
+  else return *std::get_if<Law>(&law);
 }
 
 } // namespace
@@ -200,7 +199,10 @@ void PairPlaten::find_classes() {
       true);
 }
 
-void PairPlaten::beyond(int contact) { beyond_[static_cast<std::size_t>(contact)]++; }
+/// A contact whose other sphere is a ghost is met twice, here and where that sphere is owned (or its image).
+void PairPlaten::beyond(int contact, int j) {
+  beyond_[static_cast<std::size_t>(contact)] += j < atom->nlocal ? 2 : 1;
+}
 
 /// Once for each pair_coeff when contacts first leave the validity of its card, and their number at the end.
 void PairPlaten::warn_beyond(bool last) {
@@ -212,7 +214,7 @@ void PairPlaten::warn_beyond(bool last) {
     warned_[c] = true;
     if (comm->me != 0) continue;
     const std::string card = contacts_[c].one.file;
-    if (last) error->warning(FLERR, std::to_string(all) + " contacts went beyond the validity of " + card);
+    if (last) error->warning(FLERR, std::to_string((all + 1) / 2) + " contacts went beyond the validity of " + card);
     else
       error->warning(FLERR, "Contacts are beyond the validity of " + card +
                                 "; the law goes on monotonically, their number follows at the end");
@@ -227,97 +229,129 @@ void PairPlaten::compute(int eflag, int vflag) {
   if (neighbor->ago == 0) warn_beyond(false); // on all ranks alike
 }
 
+/// Touching pairs in blocks, which take three turns: who touches, the law, what follows of its force. Each
+/// turn is short enough for the processor to work on several contacts at once.
+struct PairPlaten::Block {
+  static constexpr int size = 64;
+  int count = 0;
+  int i[size], j[size];
+  dem::Memory* memory[size];
+  const dem::Terms* terms[size];
+  double r[size], reach[size], d[size][3]; // distance, sum of radii, x_i - x_j
+  double F[size], stiffness[size], a[size]; // of the law; F in units of the run
+};
+
 void PairPlaten::contacts() {
-  const int kind = laws_.only_kind();
-  if (kind < 0) {
-    loop<law::AnyLaw>();
-    return;
-  }
-  [&]<std::size_t... I>(std::index_sequence<I...>) { // one law alone: its own loop
-    ((static_cast<int>(I) == kind ? loop<std::variant_alternative_t<I, law::AnyLaw>>() : void()), ...);
-  }
-  (std::make_index_sequence<std::variant_size_v<law::AnyLaw>>{});
-}
-
-template <class Law> void PairPlaten::loop() {
-  double *const *x = atom->x, *const *v = atom->v, **f = atom->f, *const *omega = atom->omega,
-                **torque = atom->torque;
-  const double *radius = atom->radius, *rmass = atom->rmass;
-  const int *mask = atom->mask, nlocal = atom->nlocal, classes = laws_.classes();
-  const dem::Terms* const terms = laws_.terms();
-  const int* const class_of = class_of_.data();
-  const dem::Units u = units_;
-  const double per_force = 1 / u.force;
-  const double dt = update->setupflag ? 0.0 : update->dt; // setup moves nothing
-  const bool friction = any_friction_, damping = any_damping_;
-
+  Block block;
+  double* const* x = atom->x;
+  const double* radius = atom->radius;
+  const int classes = laws_.classes(), *class_of = class_of_.data();
   for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii];
+    const int i = list->ilist[ii], count = list->numneigh[i], *neighbours = list->firstneigh[i];
     const double xi = x[i][0], yi = x[i][1], zi = x[i][2], radius_i = radius[i];
-    double push[3] = {}, turn[3] = {};
     int* const touch = history_->firstflag[i];
-    dem::Memory* const remembered = reinterpret_cast<dem::Memory*>(history_->firstvalue[i]);
-    const int* const neighbours = list->firstneigh[i];
-    const int count = list->numneigh[i];
-    const dem::Terms* const row = terms + static_cast<std::ptrdiff_t>(class_of[i]) * classes;
-
+    auto* const remembered = reinterpret_cast<dem::Memory*>(history_->firstvalue[i]);
+    const dem::Terms* const row = laws_.terms() + static_cast<std::ptrdiff_t>(class_of[i]) * classes;
     for (int jj = 0; jj < count; jj++) {
       const int j = neighbours[jj] & NEIGHMASK;
       const double dx = xi - x[j][0], dy = yi - x[j][1], dz = zi - x[j][2];
       const double rsq = dx * dx + dy * dy + dz * dz, reach = radius_i + radius[j];
-      dem::Memory& m = remembered[jj];
       if (rsq >= reach * reach) {
-        if (touch[jj]) touch[jj] = 0, m = {};
+        if (touch[jj]) touch[jj] = 0, remembered[jj] = {};
         continue;
       }
       touch[jj] = 1;
-      const double r = std::sqrt(rsq), rinv = 1 / r;
-      const dem::Terms& t = row[class_of[j]];
-      const double before = m.gamma_max;
-      const law::Response now = dem::normal(law_at<Law>(laws_, t, class_of[i], class_of[j]), u, reach - r, m);
-      if (t.gamma_valid < m.gamma_max && !(t.gamma_valid < before)) [[unlikely]]
-        beyond(t.contact);
-      double F = now.force * per_force;
-      double fx, fy, fz;
-      if (friction || damping) {
-        const double n[3] = {dx * rinv, dy * rinv, dz * rinv};
-        double w[3] = {v[i][0] - v[j][0], v[i][1] - v[j][1], v[i][2] - v[j][2]};
-        const double v_n = w[0] * n[0] + w[1] * n[1] + w[2] * n[2];
-        if (damping) {
-          double mass = rmass[i] * rmass[j] / (rmass[i] + rmass[j]);
-          if (mask[i] & freeze_) mass = rmass[j];
-          if (mask[j] & freeze_) mass = rmass[i];
-          F = dem::damped(t, u, now, F, mass, v_n);
-        }
-        fx = F * n[0], fy = F * n[1], fz = F * n[2];
-        if (friction) {
-          const double radius_j = radius[j];
-          const double wr[3] = {radius_i * omega[i][0] + radius_j * omega[j][0],
-                                radius_i * omega[i][1] + radius_j * omega[j][1],
-                                radius_i * omega[i][2] + radius_j * omega[j][2]};
-          w[0] -= v_n * n[0] + n[2] * wr[1] - n[1] * wr[2];
-          w[1] -= v_n * n[1] + n[0] * wr[2] - n[2] * wr[0];
-          w[2] -= v_n * n[2] + n[1] * wr[0] - n[0] * wr[1];
-          dem::slide(t, now.contact_radius, F, n, w, dt, m);
-          const double* s = m.tangential;
-          fx += s[0], fy += s[1], fz += s[2];
-          const double torque_n[3] = {n[1] * s[2] - n[2] * s[1], n[2] * s[0] - n[0] * s[2],
-                                      n[0] * s[1] - n[1] * s[0]};
-          for (int k = 0; k < 3; k++) turn[k] -= radius_i * torque_n[k];
-          if (j < nlocal)
-            for (int k = 0; k < 3; k++) torque[j][k] -= radius_j * torque_n[k];
-        }
-      } else {
-        const double per = F * rinv;
-        fx = per * dx, fy = per * dy, fz = per * dz;
-      }
-      push[0] += fx, push[1] += fy, push[2] += fz;
-      if (j < nlocal) f[j][0] -= fx, f[j][1] -= fy, f[j][2] -= fz;
-      if (evflag) ev_tally_xyz(i, j, nlocal, 0, 0.0, 0.0, fx, fy, fz, dx, dy, dz);
+      const int c = block.count++;
+      block.i[c] = i, block.j[c] = j;
+      block.memory[c] = &remembered[jj];
+      block.terms[c] = &row[class_of[j]];
+      block.r[c] = std::sqrt(rsq), block.reach[c] = reach;
+      block.d[c][0] = dx, block.d[c][1] = dy, block.d[c][2] = dz;
+      if (block.count == Block::size) follow(block);
     }
-    for (int k = 0; k < 3; k++) f[i][k] += push[k];
-    if (friction)
-      for (int k = 0; k < 3; k++) torque[i][k] += turn[k];
+  }
+  follow(block);
+}
+
+void PairPlaten::follow(Block& block) {
+  const int kind = laws_.only_kind();
+  if (kind < 0) laws_of<law::AnyLaw>(block);
+  else
+    [&]<std::size_t... I>(std::index_sequence<I...>) { // one law alone: its own loop
+      ((static_cast<int>(I) == kind ? laws_of<std::variant_alternative_t<I, law::AnyLaw>>(block) : void()),
+       ...);
+    }
+    (std::make_index_sequence<std::variant_size_v<law::AnyLaw>>{});
+  if (any_friction_) any_damping_ ? forces<true, true>(block) : forces<true, false>(block);
+  else any_damping_ ? forces<false, true>(block) : forces<false, false>(block);
+  block.count = 0;
+}
+
+template <class Law> void PairPlaten::laws_of(Block& block) {
+  const dem::Units u = units_;
+  const double per_force = 1 / u.force;
+  for (int c = 0; c < block.count; c++) {
+    dem::Memory& m = *block.memory[c];
+    const dem::Terms& t = *block.terms[c];
+    const double before = m.gamma_max;
+    const law::Response now = dem::normal(law_as<Law>(*t.law), u, block.reach[c] - block.r[c], m);
+    if (t.gamma_valid < m.gamma_max && !(t.gamma_valid < before)) [[unlikely]]
+      beyond(t.contact, block.j[c]);
+    block.F[c] = now.force * per_force;
+    block.stiffness[c] = now.stiffness;
+    block.a[c] = now.contact_radius;
+  }
+}
+
+template <bool friction, bool damping> void PairPlaten::forces(const Block& block) {
+  double *const *v = atom->v, **f = atom->f, *const *omega = atom->omega, **torque = atom->torque;
+  const double *radius = atom->radius, *rmass = atom->rmass;
+  const int *mask = atom->mask, nlocal = atom->nlocal;
+  const dem::Units u = units_;
+  const double dt = update->setupflag ? 0.0 : update->dt; // setup moves nothing
+  for (int c = 0; c < block.count; c++) {
+    const int i = block.i[c], j = block.j[c];
+    const dem::Terms& t = *block.terms[c];
+    const double rinv = 1 / block.r[c];
+    const double n[3] = {block.d[c][0] * rinv, block.d[c][1] * rinv, block.d[c][2] * rinv};
+    double F = block.F[c];
+    double w[3], v_n = 0;
+    if constexpr (friction || damping) {
+      for (int k = 0; k < 3; k++) w[k] = v[i][k] - v[j][k];
+      v_n = w[0] * n[0] + w[1] * n[1] + w[2] * n[2];
+    }
+    if constexpr (damping) {
+      double mass = rmass[i] * rmass[j] / (rmass[i] + rmass[j]);
+      if (mask[i] & freeze_) mass = rmass[j];
+      if (mask[j] & freeze_) mass = rmass[i];
+      F = dem::damped(t, u, block.stiffness[c], F, mass, v_n);
+    }
+    double push[3] = {F * n[0], F * n[1], F * n[2]};
+    if constexpr (friction) {
+      // the contact divides the distance as the radii do: torques and forces keep the angular momentum
+      const double flat = block.r[c] / block.reach[c], arm_i = radius[i] * flat, arm_j = radius[j] * flat;
+      double wr[3];
+      for (int k = 0; k < 3; k++) wr[k] = arm_i * omega[i][k] + arm_j * omega[j][k];
+      w[0] -= v_n * n[0] + n[2] * wr[1] - n[1] * wr[2];
+      w[1] -= v_n * n[1] + n[0] * wr[2] - n[2] * wr[0];
+      w[2] -= v_n * n[2] + n[1] * wr[0] - n[0] * wr[1];
+      dem::slide(t, block.a[c], F, n, w, dt, *block.memory[c]);
+      const double* s = block.memory[c]->tangential;
+      const double turn[3] = {n[1] * s[2] - n[2] * s[1], n[2] * s[0] - n[0] * s[2],
+                              n[0] * s[1] - n[1] * s[0]};
+      for (int k = 0; k < 3; k++) {
+        push[k] += s[k];
+        torque[i][k] -= arm_i * turn[k];
+        if (j < nlocal) torque[j][k] -= arm_j * turn[k];
+      }
+    }
+    for (int k = 0; k < 3; k++) {
+      f[i][k] += push[k];
+      if (j < nlocal) f[j][k] -= push[k];
+    }
+    if (evflag)
+      ev_tally_xyz(i, j, nlocal, 0, 0.0, 0.0, push[0], push[1], push[2], block.d[c][0], block.d[c][1],
+                   block.d[c][2]);
   }
 }
 

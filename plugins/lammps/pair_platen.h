@@ -29,8 +29,11 @@ class PairPlaten : public Pair {
   void find_classes();
   void contacts();
   void warn_beyond(bool last);
-  void beyond(int contact);
-  template <class Law> void loop();
+  void beyond(int contact, int j);
+  struct Block;
+  void follow(Block&);
+  template <class Law> void laws_of(Block&);
+  template <bool friction, bool damping> void forces(const Block&);
 
   std::vector<platen::dem::Contact> contacts_;
   std::vector<int> contact_of_types_;
@@ -38,7 +41,7 @@ class PairPlaten : public Pair {
   platen::dem::Units units_;
   std::vector<int> class_of_; // of owned and ghost atoms
   std::vector<double> largest_radius_;
-  std::vector<long> beyond_; // contacts that left the validity of their card, by contact; on this rank
+  std::vector<long> beyond_; // twice the contacts that left the validity of their card, by pair_coeff; on this rank
   std::vector<bool> warned_;
   bool history_made_ = false, any_friction_ = false, any_damping_ = false;
   int freeze_ = 0; // group bit
