@@ -123,7 +123,8 @@ std::unique_ptr<Prepared> prepare(const Contact& contact, int index, double R1, 
       std::make_unique<Prepared>(Prepared{fit::make_law(contact.one, parameters(contact, R1, R2)), {}});
   Terms& t = made->terms;
   t.law = &made->law;
-  t.shear = std::visit([&](const auto& l) { return eight_G(l.pair); }, made->law) * units.length / units.force;
+  t.shear =
+      std::visit([&](const auto& l) { return eight_G(l.pair); }, made->law) * units.length / units.force;
   if (contact.friction > 0 && !(t.shear > 0 && std::isfinite(t.shear)))
     throw InvalidInput(
         fmt::format("{}: friction needs Young's modulus and Poisson's ratio, which the law {} does not "

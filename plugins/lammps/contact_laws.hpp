@@ -28,8 +28,8 @@ struct Contact {
 /// otherwise.
 struct Terms {
   const law::AnyLaw* law = nullptr; ///< SI; null: not given by the user
-  double shear = 0;          ///< 8 G*: tangential stiffness over contact radius (Mindlin) [force/length/m]
-  double damping = 0;        ///< c = damping sqrt(dF/dgamma m_eff) [-]
+  double shear = 0;   ///< 8 G*: tangential stiffness over contact radius (Mindlin) [force/length/m]
+  double damping = 0; ///< c = damping sqrt(dF/dgamma m_eff) [-]
   double friction = 0;
   double gamma_valid = 0; ///< the card holds up to here [m]
   int contact = -1;       ///< whose it is

@@ -214,7 +214,8 @@ void PairPlaten::warn_beyond(bool last) {
     warned_[c] = true;
     if (comm->me != 0) continue;
     const std::string card = contacts_[c].one.file;
-    if (last) error->warning(FLERR, std::to_string((all + 1) / 2) + " contacts went beyond the validity of " + card);
+    if (last)
+      error->warning(FLERR, std::to_string((all + 1) / 2) + " contacts went beyond the validity of " + card);
     else
       error->warning(FLERR, "Contacts are beyond the validity of " + card +
                                 "; the law goes on monotonically, their number follows at the end");
@@ -237,7 +238,7 @@ struct PairPlaten::Block {
   int i[size], j[size];
   dem::Memory* memory[size];
   const dem::Terms* terms[size];
-  double r[size], reach[size], d[size][3]; // distance, sum of radii, x_i - x_j
+  double r[size], reach[size], d[size][3];  // distance, sum of radii, x_i - x_j
   double F[size], stiffness[size], a[size]; // of the law; F in units of the run
 };
 
@@ -276,12 +277,11 @@ void PairPlaten::contacts() {
 void PairPlaten::follow(Block& block) {
   const int kind = laws_.only_kind();
   if (kind < 0) laws_of<law::AnyLaw>(block);
-  else
-    [&]<std::size_t... I>(std::index_sequence<I...>) { // one law alone: its own loop
+  else [&]<std::size_t... I>(std::index_sequence<I...>) { // one law alone: its own loop
       ((static_cast<int>(I) == kind ? laws_of<std::variant_alternative_t<I, law::AnyLaw>>(block) : void()),
        ...);
     }
-    (std::make_index_sequence<std::variant_size_v<law::AnyLaw>>{});
+  (std::make_index_sequence<std::variant_size_v<law::AnyLaw>>{});
   if (any_friction_) any_damping_ ? forces<true, true>(block) : forces<true, false>(block);
   else any_damping_ ? forces<false, true>(block) : forces<false, false>(block);
   block.count = 0;

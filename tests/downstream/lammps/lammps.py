@@ -28,10 +28,12 @@ def card(law, name=None, parameters=None, extra=""):
     return path
 
 
-def lammps(name, text, ranks=1, check=True):
+def lammps(name, text, ranks=1, check=True, files=None):
     """Runs an input in its own folder; the folder and what LAMMPS printed."""
     folder = OUT / name
     folder.mkdir(exist_ok=True)
+    for file, content in (files or {}).items():
+        (folder / file).write_text(content)
     (folder / "in.lmp").write_text(f"include {PLUGIN}/platen.lmp\n{text}")
     command = [LMP, "-in", "in.lmp", "-log", "log.lammps"]
     environment = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
