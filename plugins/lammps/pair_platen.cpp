@@ -1,7 +1,7 @@
 #include "pair_platen.h"
 
 #include "contact_step.hpp"
-#include "debian/lammps_private.h"
+#include "host.hpp"
 #include "lammps_input.hpp"
 
 #include "atom.h"
@@ -129,9 +129,7 @@ void PairPlaten::init_style() {
                std::string("Pair platen with damping or friction requires ghost atoms store velocity: use "
                            "comm_modify vel yes"));
 
-  const int request = neighbor->request(this, instance_me);
-  neighbor->requests[request]->size = 1;
-  neighbor->requests[request]->history = 1;
+  request_history(neighbor, this, instance_me);
   if (!history_made_) {
     modify->replace_fix(
         history_id(instance_me, false),
@@ -141,18 +139,18 @@ void PairPlaten::init_style() {
   history_ = static_cast<FixNeighHistory*>(modify->fix[modify->find_fix(history_id(instance_me, true))]);
   history_->pair = this;
 
-  const int freeze = modify->find_fix_by_style("^freeze");
-  freeze_ = freeze < 0 ? 0 : modify->fix[freeze]->groupbit;
-
+  freeze_ = 0;
   std::vector<double> mine(static_cast<std::size_t>(atom->ntypes) + 1, 0);
-  for (const char* inserter : {"^pour", "^deposit"})
-    if (const int fix = modify->find_fix_by_style(inserter); fix >= 0)
-      for (int type = 1; type <= atom->ntypes; type++) {
-        int asked = type;
-        mine[static_cast<std::size_t>(type)] =
-            std::max(mine[static_cast<std::size_t>(type)],
-                     *static_cast<double*>(modify->fix[fix]->extract("radius", asked)));
-      }
+  for (int k = 0; k < modify->nfix; k++) {
+    Fix* const fix = modify->fix[k];
+    if (utils::strmatch(fix->style, "^freeze")) freeze_ = fix->groupbit;
+    if (!utils::strmatch(fix->style, "^pour") && !utils::strmatch(fix->style, "^deposit")) continue;
+    for (int type = 1; type <= atom->ntypes; type++) { // of particles still to come
+      int asked = type;
+      double& largest = mine[static_cast<std::size_t>(type)];
+      largest = std::max(largest, *static_cast<double*>(fix->extract("radius", asked)));
+    }
+  }
   for (int i = 0; i < atom->nlocal; i++) {
     double& largest = mine[static_cast<std::size_t>(atom->type[i])];
     largest = std::max(largest, atom->radius[i]);
@@ -173,10 +171,14 @@ double PairPlaten::init_one(int i, int j) {
   return largest_radius_[static_cast<std::size_t>(i)] + largest_radius_[static_cast<std::size_t>(j)];
 }
 
+#ifdef PLATEN_LAMMPS_LOADS_PLUGINS
+void PairPlaten::transfer_history(double* from, double* to, int, int) {
+#else
 double PairPlaten::atom2cut(int i) { return 2 * atom->radius[i]; }
 double PairPlaten::radii2cut(double r1, double r2) { return r1 + r2; }
 
 void PairPlaten::transfer_history(double* from, double* to) {
+#endif
   const dem::Memory& m = *reinterpret_cast<const dem::Memory*>(from);
   const double* s = m.tangential;
   *reinterpret_cast<dem::Memory*>(to) = {m.gamma_max, {-s[0], -s[1], -s[2]}, m.k_t};

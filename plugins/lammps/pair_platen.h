@@ -2,7 +2,7 @@
 // pair_style platen: contact laws of Platen between spheres.
 
 #include "contact_laws.hpp"
-#include "pair.h"
+#include "host.hpp"
 
 namespace LAMMPS_NS {
 
@@ -20,9 +20,13 @@ class PairPlaten : public Pair {
   double init_one(int, int) override;
   double single(int, int, int, int, double, double, double, double& fforce) override;
   double memory_usage() override;
+#ifdef PLATEN_LAMMPS_LOADS_PLUGINS
+  void transfer_history(double* from, double* to, int, int) override;
+#else
   double atom2cut(int i) override;
   double radii2cut(double, double) override;
   void transfer_history(double* from, double* to) override;
+#endif
 
  private:
   void allocate();

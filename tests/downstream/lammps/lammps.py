@@ -6,7 +6,7 @@ import subprocess
 import sys
 
 PLATEN, PLUGIN, OUT = (pathlib.Path(p).resolve() for p in sys.argv[1:4])
-LMP = shutil.which("lmp")
+LMP = shutil.which(os.environ.get("PLATEN_LMP", "lmp"))  # another LAMMPS, with the plug-in built for it
 if LMP is None or not (PLUGIN / "platen.so").exists():
     print("skipped: LAMMPS is not installed, or the plug-in is not built (./run lammps)")
     sys.exit(77)
