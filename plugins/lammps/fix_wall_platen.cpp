@@ -7,9 +7,11 @@
 #include "domain.h"
 #include "input.h"
 #include "memory.h"
+#include "modify.h"
 #include "update.h"
 #include "variable.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -76,10 +78,8 @@ FixWallPlaten::FixWallPlaten(LAMMPS* host, int narg, char** arg) : Fix(host, nar
 }
 
 FixWallPlaten::~FixWallPlaten() {
-  long all = 0;
-  MPI_Allreduce(&beyond_, &all, 1, MPI_LONG, MPI_SUM, world);
-  if (all > 0 && comm->me == 0)
-    error->warning(FLERR, std::to_string(all) + " contacts with wall " + id +
+  if (total_[3] > 0 && comm->me == 0)
+    error->warning(FLERR, std::to_string(std::lround(total_[3])) + " contacts with wall " + id +
                               " went beyond the validity of " + contact_.one.file);
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
@@ -110,16 +110,19 @@ double FixWallPlaten::driven(const std::string& text) const {
   return input->variable->compute_equal(variable);
 }
 
-/// The plane moves as its particles do: half a kick with the last force, then the drift.
+/// Leapfrog: a kick with the last force, then the drift; the velocity belongs to the middle of the step.
 void FixWallPlaten::initial_integrate(int) {
   if (drive_ == Drive::fixed) return;
-  if (drive_ == Drive::velocity) velocity_ = driven(drive_value_);
-  else velocity_ += update->dt * (driven(drive_value_) + total_[axis_]) / mass_;
+  modify->clearstep_compute(); // a variable may ask for computes
+  const double value = driven(drive_value_);
+  modify->addstep_compute(update->ntimestep + 1);
+  if (drive_ == Drive::velocity) velocity_ = value;
+  else velocity_ += update->dt * (value + total_[axis_]) / mass_;
   position_ += velocity_ * update->dt;
 }
 
 void FixWallPlaten::post_force(int) {
-  for (double& f : force_) f = 0;
+  std::fill(force_, force_ + 3, 0.0);
   platen_try(
       error, FLERR, who,
       [&] {
@@ -127,10 +130,10 @@ void FixWallPlaten::post_force(int) {
           if (atom->mask[i] & groupbit) laws_.class_of(atom->type[i], atom->radius[i]);
       },
       true);
-  if (laws_.classes() > 0) loop<law::AnyLaw>();
+  if (laws_.classes() > 0) contacts();
 }
 
-template <class Law> void FixWallPlaten::loop() {
+void FixWallPlaten::contacts() {
   const double dt = update->setupflag ? 0.0 : update->dt;
   const int a1 = (axis_ + 1) % 3, a2 = (axis_ + 2) % 3;
   for (int i = 0; i < atom->nlocal; i++) {
@@ -154,7 +157,7 @@ template <class Law> void FixWallPlaten::loop() {
     const dem::Terms& t = laws_.terms()[c * laws_.classes() + c];
     const double before = m.gamma_max;
     const law::Response now = dem::normal(laws_.law_of(c, c), units_, R - distance, m);
-    if (t.gamma_valid < m.gamma_max && !(t.gamma_valid < before)) beyond_++;
+    if (t.gamma_valid < m.gamma_max && !(t.gamma_valid < before)) force_[3]++;
     double slip[3] = {v[0], v[1], v[2]};
     slip[axis_] -= cylinder_ ? 0 : velocity_;
     const double v_n = slip[0] * n[0] + slip[1] * n[1] + slip[2] * n[2];
@@ -162,21 +165,28 @@ template <class Law> void FixWallPlaten::loop() {
     const double F = dem::damped(t, units_, now.stiffness, now.force / units_.force, atom->rmass[i], v_n);
     for (int k = 0; k < 3; k++) f[k] = F * n[k];
     if (t.friction > 0) {
-      slip[0] -= v_n * n[0] + R * (n[2] * w[1] - n[1] * w[2]);
-      slip[1] -= v_n * n[1] + R * (n[0] * w[2] - n[2] * w[0]);
-      slip[2] -= v_n * n[2] + R * (n[1] * w[0] - n[0] * w[1]);
+      slip[0] -= v_n * n[0] + distance * (n[2] * w[1] - n[1] * w[2]);
+      slip[1] -= v_n * n[1] + distance * (n[0] * w[2] - n[2] * w[0]);
+      slip[2] -= v_n * n[2] + distance * (n[1] * w[0] - n[0] * w[1]);
       dem::slide(t, now.contact_radius, F, n, slip, dt, m);
       const double* s = m.tangential;
       for (int k = 0; k < 3; k++) f[k] += s[k];
-      atom->torque[i][0] -= R * (n[1] * s[2] - n[2] * s[1]);
-      atom->torque[i][1] -= R * (n[2] * s[0] - n[0] * s[2]);
-      atom->torque[i][2] -= R * (n[0] * s[1] - n[1] * s[0]);
+      atom->torque[i][0] -= distance * (n[1] * s[2] - n[2] * s[1]);
+      atom->torque[i][1] -= distance * (n[2] * s[0] - n[0] * s[2]);
+      atom->torque[i][2] -= distance * (n[0] * s[1] - n[1] * s[0]);
     }
     for (int k = 0; k < 3; k++) atom->f[i][k] += f[k], force_[k] -= f[k];
   }
 }
 
-void FixWallPlaten::end_of_step() { MPI_Allreduce(force_, total_, 3, MPI_DOUBLE, MPI_SUM, world); }
+void FixWallPlaten::end_of_step() {
+  const bool before = total_[3] > 0;
+  MPI_Allreduce(force_, total_, 4, MPI_DOUBLE, MPI_SUM, world);
+  if (total_[3] > 0 && !before && comm->me == 0)
+    error->warning(FLERR, std::string("Contacts with wall ") + id + " are beyond the validity of " +
+                              contact_.one.file +
+                              "; the law goes on monotonically, their number follows at the end");
+}
 
 /// Force of the particles on the wall (3), position (of a cylinder its radius), velocity.
 double FixWallPlaten::compute_vector(int n) { return n < 3 ? total_[n] : n == 3 ? position_ : velocity_; }

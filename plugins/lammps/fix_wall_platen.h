@@ -39,7 +39,7 @@ class FixWallPlaten : public Fix {
  private:
   enum class Drive { fixed, velocity, force };
   double driven(const std::string& text) const;
-  template <class Law> void loop();
+  void contacts();
 
   platen::dem::Contact contact_;
   platen::dem::LawTable laws_;
@@ -50,8 +50,8 @@ class FixWallPlaten : public Fix {
   Drive drive_ = Drive::fixed;
   std::string drive_value_; // a number, or v_NAME
   double position_ = 0, velocity_ = 0, mass_ = 0; // of the plane; position_ is the radius of a cylinder
-  double force_[3] = {}, total_[3] = {};          // of the particles on the wall: here, everywhere
-  long beyond_ = 0;
+  double force_[4] = {}, total_[4] = {}; // here, everywhere: force of the particles on the wall, and the number of
+                                         // contacts that left the validity of the card
   double** memory_ = nullptr; // [atom][platen::dem::memory_size]
 };
 
