@@ -8,7 +8,8 @@ set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 plugin=$(realpath "${1:-$here/../../build/release/lammps}")
 repeats=${2:-3}
-command -v lmp >/dev/null || { echo "skipped: LAMMPS is not installed (./run lammps)"; exit 77; }
+lmp=${PLATEN_LMP:-lmp} # another LAMMPS, with the plug-in built for it
+command -v "$lmp" >/dev/null || { echo "skipped: LAMMPS is not installed (./run lammps)"; exit 77; }
 out=$(mktemp -d)
 trap 'rm -rf "$out"' EXIT
 export OMP_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
@@ -64,7 +65,7 @@ speed=2 dt=4e-7
 
 measure() { # STYLE RANKS: contacts, ns a contact and step in Pair, over all ranks
   input "$1" >"$out/in"
-  local run=(lmp -in "$out/in" -log "$out/log" -screen none)
+  local run=("$lmp" -in "$out/in" -log "$out/log" -screen none)
   [ "$2" -eq 1 ] || run=(mpirun --oversubscribe -n "$2" "${run[@]}")
   "${run[@]}" >"$out/screen" 2>&1 || { tail -5 "$out/screen" "$out/log" >&2; return 1; }
   awk -v ranks="$2" '
