@@ -11,12 +11,15 @@
 #include <filesystem>
 #include <memory>
 #include <numbers>
+#include <string>
+#include <vector>
 
 namespace platen::app {
 namespace {
 
 struct Options {
-  std::string law, output;
+  std::vector<std::string> laws; // of particle types 1, 2, ...
+  std::string output;
   double radius = 0, density = 0, delta_bar = 0;
 };
 
@@ -38,37 +41,55 @@ double stiffest(const law::AnyLaw& law, double gamma) {
   return k;
 }
 
-std::string lines_of(const Options& options) {
-  if (!(options.radius > 0 && std::isfinite(options.radius)))
-    throw core::InvalidInput("--radius must be a positive number of metres");
-  if (!(options.density > 0 && std::isfinite(options.density)))
-    throw core::InvalidInput("--density must be a positive number of kg/m^3");
-  const fit::LawCard card = fit::read_law_card(options.law);
-  const auto R = fmt::format("{}", options.radius);
-  const law::AnyLaw law = fit::make_law(card, {{"radius_m", R}});
+/// The stiffest state of one type's contacts, up to the overlap `delta_bar` or the end of its card's
+/// validity.
+struct Stiffest {
+  double delta_bar, k;
+};
+
+Stiffest stiffest_of(const fit::LawCard& card, const Options& options) {
+  const law::AnyLaw law = fit::make_law(card, {{"radius_m", fmt::format("{}", options.radius)}});
   const double delta_bar = options.delta_bar > 0 ? options.delta_bar
                            : card.delta_bar      ? (*card.delta_bar)[1]
                                                  : 0;
   if (!(delta_bar > 0))
     throw core::InvalidInput(
-        fmt::format("{}: the card does not say how far it holds; give --delta-bar", options.law));
-  const double gamma = delta_bar / delta_bar_per_overlap(law);
-  const double m = options.density * 4 / 3 * std::numbers::pi * std::pow(options.radius, 3);
-  const double k = stiffest(law, gamma);
+        fmt::format("{}: the card does not say how far it holds; give --delta-bar", card.file));
+  const double k = stiffest(law, delta_bar / delta_bar_per_overlap(law));
   if (!(k > 0))
     throw core::InvalidInput(
         fmt::format("{}: the law has no stiffness up to delta/R = {}", card.file, delta_bar));
-  const double dt = safety * 2 * std::sqrt(m / (8 * k));
-  return fmt::format(
-      "# law {}, spheres of radius {} m and {} kg/m^3\n"
-      "# stiffest state up to delta/R = {}: {:.6g} N/m; time step: {} of the stability limit 2 sqrt(m/8k)\n"
-      "# before the box is made: units si, atom_style sphere, newton off, include platen.lmp\n"
-      "comm_modify vel yes\n"
-      "pair_style platen\n"
-      "pair_coeff * * {}\n"
-      "timestep {:.4g}\n",
-      card.law, options.radius, options.density, delta_bar, k, safety,
-      std::filesystem::absolute(card.file).string(), dt);
+  return {delta_bar, k};
+}
+
+std::string lines_of(const Options& options) {
+  if (!(options.radius > 0 && std::isfinite(options.radius)))
+    throw core::InvalidInput("--radius must be a positive number of metres");
+  if (!(options.density > 0 && std::isfinite(options.density)))
+    throw core::InvalidInput("--density must be a positive number of kg/m^3");
+  const double m = options.density * 4 / 3 * std::numbers::pi * std::pow(options.radius, 3);
+  std::string text = fmt::format("# spheres of radius {} m and {} kg/m^3\n", options.radius, options.density);
+  std::string pairs;
+  double k = 0;
+  std::vector<std::string> cards;
+  for (const std::string& name : options.laws) {
+    const fit::LawCard card = fit::read_law_card(name);
+    const auto [delta_bar, own] = stiffest_of(card, options);
+    k = std::max(k, own);
+    cards.push_back(std::filesystem::absolute(card.file).string());
+    text += fmt::format("# type {}: law {}, stiffest state up to delta/R = {}: {:.6g} N/m\n", cards.size(),
+                        card.law, delta_bar, own);
+    for (std::size_t i = 0; i + 1 < cards.size(); ++i)
+      pairs += fmt::format("pair_coeff {} {} {} {}\n", i + 1, cards.size(), cards[i], cards.back());
+    pairs += fmt::format("pair_coeff {0} {0} {1}\n", cards.size(), cards.back());
+  }
+  return text +
+         fmt::format("# time step: {} of the stability limit 2 sqrt(m/8k)\n"
+                     "# before the box is made: units si, atom_style sphere, newton off, include platen.lmp\n"
+                     "comm_modify vel yes\n"
+                     "pair_style platen\n"
+                     "{}timestep {:.4g}\n",
+                     safety, pairs, safety * 2 * std::sqrt(m / (8 * k)));
 }
 
 } // namespace
@@ -77,7 +98,7 @@ void add_export_lammps(CLI::App& command) {
   auto* lammps =
       command.add_subcommand("lammps", "input lines for pair_style platen, with a stable time step");
   auto options = std::make_shared<Options>();
-  lammps->add_option("LAW", options->law, "law card")->required();
+  lammps->add_option("LAW", options->laws, "law cards of particle types 1, 2, ...")->required();
   lammps->add_option("--radius", options->radius, "of the smallest particle [m]")->required();
   lammps->add_option("--density", options->density, "of the particles [kg/m^3]")->required();
   lammps->add_option("--delta-bar", options->delta_bar,

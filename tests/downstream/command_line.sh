@@ -193,6 +193,7 @@ printf '%s\n' 'platen = 1' 'law = "hertz"' '[parameters]' 'E_Pa = 1e9' 'nu = 0.3
 hertz_card=(hertz.toml --delta-bar 0.01)
 answers 2 'give --delta-bar' "$platen" export lammps hertz.toml --radius 1e-4 --density 636
 answers 0 'timestep' "$platen" export lammps "${hertz_card[@]}" --radius 1e-4 --density 636
+answers 0 'pair_coeff 1 2' "$platen" export lammps hertz.toml hertz.toml --delta-bar 0.01 --radius 1e-4 --density 636
 answers 2 'positive number of metres' "$platen" export lammps "${hertz_card[@]}" --radius -1 --density 636
 answers 2 'there is no such file' "$platen" export lammps missing.toml --radius 1e-4 --density 636
 answers 2 'a table rises' "$platen" export table "${hertz[@]}" --overlap 2e-6:1e-6:3
