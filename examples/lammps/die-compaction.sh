@@ -7,7 +7,8 @@ particles=${3:-2000}
 . "$here/common.sh"
 
 # Microcrystalline cellulose in a die, to 90 % packing and back: pressure over density, and slices of the bed.
-lammps die-compaction.lmp -var card "$here/mcc-ph-200.toml" -var particles "$particles"
+"$platen" export lammps "$here/mcc-ph-200.toml" --radius 90e-6 --density 636 >lines.lmp
+lammps die-compaction.lmp -var card "$here/mcc-ph-200.toml" -var dt "$(awk '$1 == "timestep" { print $2 }' lines.lmp)" -var particles "$particles"
 picture compaction "set key left top; set xlabel 'packing'; set ylabel 'pressure [MPa]'; set xtics nomirror
 set x2label 'true relative density (solid over space)'; set x2tics 0.04; set xrange [0.5:0.95]; set x2range [0.2:0.38]; set yrange [0:]
 plot 'compaction.txt' using 1:(\$4/1e6) with lines lw 2 title 'upper punch', '' using 1:(\$5/1e6) with lines lw 2 title 'lower punch'"
