@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/export_lammps.hpp"
 #include "app/law_arguments.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
@@ -70,6 +71,7 @@ void add_export(CLI::App& program) {
   table->add_option("-o", options->output, "file to write instead of printing");
   table->footer("Example: platen export table mcc.toml -p radius_m=1e-3 --overlap 1e-6:5e-4:500 -o mcc.csv");
   table->callback([options] { export_table(*options); });
+  add_export_lammps(*command);
   command->footer(
       "Example: platen export table mcc.toml -p radius_m=1e-3 --overlap 1e-6:5e-4:500 -o mcc.csv");
 }

@@ -192,6 +192,13 @@ for range in nan:1e-6:3 0:inf:3 -inf:0:3; do
 done
 answers 2 'the range is empty' "$platen" eval "${hertz[@]}" --overlap 1e-6:1e-6:3
 answers 2 'the range is empty' "$platen" export table "${hertz[@]}" --overlap 1e-6:1e-6:3
+printf '%s\n' 'platen = 1' 'law = "hertz"' '[parameters]' 'E_Pa = 1e9' 'nu = 0.3' >hertz.toml
+hertz_card=(hertz.toml --delta-bar 0.01)
+answers 2 'give --delta-bar' "$platen" export lammps hertz.toml --radius 1e-4 --density 636
+answers 0 'timestep' "$platen" export lammps "${hertz_card[@]}" --radius 1e-4 --density 636
+answers 0 'pair_coeff 1 2' "$platen" export lammps hertz.toml hertz.toml --delta-bar 0.01 --radius 1e-4 --density 636
+answers 2 'positive number of metres' "$platen" export lammps "${hertz_card[@]}" --radius -1 --density 636
+answers 2 'there is no such file' "$platen" export lammps missing.toml --radius 1e-4 --density 636
 answers 2 'a table rises' "$platen" export table "${hertz[@]}" --overlap 2e-6:1e-6:3
 answers 2 'above 0' "$platen" export table "${hertz[@]}" --overlap 0:1e-6:3
 answers 2 '--overlap' "$platen" export table "${hertz[@]}"

@@ -24,7 +24,7 @@ struct Cubic {
     return {f0, (-5.5 * f0 + 9 * f1 - 4.5 * f2 + f3) / h, (9 * f0 - 22.5 * f1 + 18 * f2 - 4.5 * f3) / (h * h),
             (-4.5 * f0 + 13.5 * f1 - 13.5 * f2 + 4.5 * f3) / (h * h * h)};
   }
-  [[nodiscard]] PLATEN_FUNCTION double value(double t) const { return c0 + t * (c1 + t * (c2 + t * c3)); }
+  [[nodiscard]] PLATEN_FUNCTION double value(double t) const { return (c0 + t * c1) + t * t * (c2 + t * c3); }
   [[nodiscard]] PLATEN_FUNCTION double slope(double t) const { return c1 + t * (2 * c2 + 3 * t * c3); }
   [[nodiscard]] PLATEN_FUNCTION double integral(double t) const {
     return t * (c0 + t * (c1 / 2 + t * (c2 / 3 + t * c3 / 4)));

@@ -36,7 +36,8 @@ class PeakTable {
     peak.F = c.F.value(t);
     peak.slope = c.F.slope(t);
     peak.a = c.a.value(t);
-    peak.end = {c.rate_gamma.value(t) / gamma, c.alpha.value(t)};
+    const double per_gamma = 1 / gamma; // a division that does not wait for the table
+    peak.end = {c.rate_gamma.value(t) * per_gamma, c.alpha.value(t)};
     peak.work = c.work + t * c.work_slope + c.F.integral(t);
     return 0 < peak.F; // not where the cell is left out, nor where none was ever made
   }

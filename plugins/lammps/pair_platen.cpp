@@ -1,0 +1,399 @@
+#include "pair_platen.h"
+
+#include "contact_step.hpp"
+#include "host.hpp"
+#include "lammps_input.hpp"
+
+#include "atom.h"
+#include "comm.h"
+#include "force.h"
+#include "memory.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace LAMMPS_NS;
+namespace dem = platen::dem;
+namespace law = platen::law;
+
+namespace {
+
+std::string history_id(int instance, bool made) {
+  return (made ? "NEIGH_HISTORY_PLATEN" : "NEIGH_HISTORY_PLATEN_DUMMY") + std::to_string(instance);
+}
+
+/// Of the kind that all pairs have.
+template <class Law> PLATEN_HOT const Law& law_as(const law::AnyLaw& law) {
+  if constexpr (std::is_same_v<Law, law::AnyLaw>) return law;
+  else return *std::get_if<Law>(&law);
+}
+
+} // namespace
+
+PairPlaten::PairPlaten(LAMMPS* host) : Pair(host) {
+  single_enable = 1;
+  no_virial_fdotr_compute = 1;
+  centroidstressflag = CENTROID_NOTAVAIL;
+  finitecutflag = 1;
+  restartinfo = 0; // cards are read anew; what contacts remember is in the restart file, with NEIGH_HISTORY
+  nondefault_history_transfer = 1; // seen from the other sphere only the tangential force changes its sign
+  single_extra = 8;
+  svector = new double[8];
+  modify->add_fix(history_id(instance_me, false) +
+                  " all DUMMY"); // holds the place of NEIGH_HISTORY in the order
+}
+
+PairPlaten::~PairPlaten() {
+  if (copymode) return;
+  warn_beyond(true);
+  delete[] svector;
+  modify->delete_fix(history_id(instance_me, history_made_));
+  if (allocated) {
+    memory->destroy(setflag);
+    memory->destroy(cutsq);
+  }
+}
+
+void PairPlaten::allocate() {
+  allocated = 1;
+  const int n = atom->ntypes + 1;
+  memory->create(setflag, n, n, "pair:setflag");
+  memory->create(cutsq, n, n, "pair:cutsq");
+  for (int i = 0; i < n; i++)
+    for (int j = 0; j < n; j++) setflag[i][j] = 0;
+  contact_of_types_.assign(static_cast<std::size_t>(n * n), -1);
+}
+
+void PairPlaten::settings(int narg, char**) {
+  if (narg != 0)
+    error->all(FLERR, std::string("Illegal pair_style command: pair_style platen takes no arguments"));
+}
+
+void PairPlaten::coeff(int narg, char** arg) {
+  const std::string usage =
+      "Illegal pair_coeff command: pair_coeff I J CARD_I [CARD_J] [damping E] [friction MU]";
+  if (narg < 3) error->all(FLERR, usage);
+  if (!allocated) allocate();
+  int ilo, ihi, jlo, jhi;
+  utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
+  utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
+  dem::Contact contact;
+  platen_try(error, FLERR, "pair_coeff platen", [&] {
+    contact.one = platen::fit::read_law_card(arg[2]);
+    contact.two = contact.one;
+  });
+  int next = 3;
+  const auto keyword = [](const std::string& word) { return word == "damping" || word == "friction"; };
+  if (next < narg && !keyword(arg[next])) {
+    platen_try(error, FLERR, "pair_coeff platen",
+               [&] { contact.two = platen::fit::read_law_card(arg[next]); });
+    ++next;
+  }
+  for (; next < narg; next += 2) {
+    if (!keyword(arg[next]) || next + 1 >= narg) error->all(FLERR, usage);
+    const double value = utils::numeric(FLERR, arg[next + 1], false, lmp);
+    (arg[next] == std::string("damping") ? contact.restitution : contact.friction) = value;
+  }
+  platen_try(error, FLERR, "pair_coeff platen", [&] { dem::check(contact); });
+  int count = 0;
+  for (int i = ilo; i <= ihi; i++)
+    for (int j = std::max(jlo, i); j <= jhi; j++) {
+      contact_of_types_[static_cast<std::size_t>(i * (atom->ntypes + 1) + j)] =
+          static_cast<int>(contacts_.size());
+      setflag[i][j] = 1;
+      count++;
+    }
+  if (count == 0)
+    error->all(FLERR, std::string("Incorrect args for pair coefficients: I must not be above J"));
+  contacts_.push_back(std::move(contact));
+}
+
+void PairPlaten::init_style() {
+  if (!atom->radius_flag || !atom->rmass_flag)
+    error->all(FLERR,
+               std::string("Pair platen requires atom attributes radius, rmass: use atom_style sphere"));
+  if (force->newton_pair)
+    error->all(FLERR,
+               std::string("Pair platen requires newton pair off: put 'newton off' before the box is made"));
+  units_ = platen_units(error, update, "Pair platen");
+  any_friction_ = any_damping_ = false;
+  for (const auto& contact : contacts_) {
+    any_friction_ = any_friction_ || contact.friction > 0;
+    any_damping_ = any_damping_ || contact.restitution < 1;
+  }
+  if ((any_friction_ || any_damping_) && comm->ghost_velocity == 0)
+    error->all(FLERR,
+               std::string("Pair platen with damping or friction requires ghost atoms store velocity: use "
+                           "comm_modify vel yes"));
+
+  request_history(neighbor, this, instance_me);
+  if (!history_made_) {
+    modify->replace_fix(
+        history_id(instance_me, false),
+        history_id(instance_me, true) + " all NEIGH_HISTORY " + std::to_string(dem::memory_size), 1);
+    history_made_ = true;
+  }
+  history_ = static_cast<FixNeighHistory*>(modify->fix[modify->find_fix(history_id(instance_me, true))]);
+  history_->pair = this;
+
+  freeze_ = 0;
+  std::vector<double> mine(static_cast<std::size_t>(atom->ntypes) + 1, 0);
+  for (int k = 0; k < modify->nfix; k++) {
+    Fix* const fix = modify->fix[k];
+    if (utils::strmatch(fix->style, "^freeze")) freeze_ = fix->groupbit;
+    if (!utils::strmatch(fix->style, "^pour") && !utils::strmatch(fix->style, "^deposit")) continue;
+    for (int type = 1; type <= atom->ntypes; type++) { // of particles still to come
+      int asked = type;
+      double& largest = mine[static_cast<std::size_t>(type)];
+      largest = std::max(largest, *static_cast<double*>(fix->extract("radius", asked)));
+    }
+  }
+  for (int i = 0; i < atom->nlocal; i++) {
+    double& largest = mine[static_cast<std::size_t>(atom->type[i])];
+    largest = std::max(largest, atom->radius[i]);
+  }
+  largest_radius_ = mine;
+  MPI_Allreduce(mine.data(), largest_radius_.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MAX,
+                world);
+
+  beyond_.resize(contacts_.size());
+  warned_.resize(contacts_.size());
+  laws_.reset(atom->ntypes, contacts_, contact_of_types_, units_);
+  class_of_.clear();
+}
+
+double PairPlaten::init_one(int i, int j) {
+  if (setflag[i][j] == 0)
+    error->all(FLERR, std::string("All pair coeffs are not set: pair platen does not mix types"));
+  return largest_radius_[static_cast<std::size_t>(i)] + largest_radius_[static_cast<std::size_t>(j)];
+}
+
+#ifdef PLATEN_LAMMPS_LOADS_PLUGINS
+void PairPlaten::transfer_history(double* from, double* to, int, int) {
+#else
+double PairPlaten::atom2cut(int i) { return 2 * atom->radius[i]; }
+double PairPlaten::radii2cut(double r1, double r2) { return r1 + r2; }
+
+void PairPlaten::transfer_history(double* from, double* to) {
+#endif
+  const dem::Memory& m = *reinterpret_cast<const dem::Memory*>(from);
+  const double* s = m.tangential;
+  *reinterpret_cast<dem::Memory*>(to) = {m.gamma_max, {-s[0], -s[1], -s[2]}, m.k_t};
+}
+
+void PairPlaten::find_classes() {
+  const int all = atom->nlocal + atom->nghost;
+  class_of_.resize(static_cast<std::size_t>(all));
+  platen_try(
+      error, FLERR, "Pair platen",
+      [&] {
+        int last = -1, type = -1;
+        double radius = -1;
+        for (int i = 0; i < all; i++) {
+          if (last < 0 || atom->type[i] != type || atom->radius[i] != radius)
+            last = laws_.class_of(type = atom->type[i], radius = atom->radius[i]);
+          class_of_[static_cast<std::size_t>(i)] = last;
+        }
+      },
+      true);
+}
+
+/// A contact whose other sphere is a ghost is met twice, here and where that sphere is owned (or its image).
+void PairPlaten::beyond(int contact, int j) {
+  beyond_[static_cast<std::size_t>(contact)] += j < atom->nlocal ? 2 : 1;
+}
+
+/// Once for each pair_coeff when contacts first leave the validity of its card, and their number at the end.
+void PairPlaten::warn_beyond(bool last) {
+  for (std::size_t c = 0; c < beyond_.size(); c++) {
+    if (warned_[c] && !last) continue;
+    long all = 0;
+    MPI_Allreduce(&beyond_[c], &all, 1, MPI_LONG, MPI_SUM, world);
+    if (all == 0) continue;
+    warned_[c] = true;
+    if (comm->me != 0) continue;
+    const std::string card = contacts_[c].one.file;
+    if (last)
+      error->warning(FLERR, std::to_string((all + 1) / 2) + " contacts went beyond the validity of " + card);
+    else
+      error->warning(FLERR, "Contacts are beyond the validity of " + card +
+                                "; the law goes on monotonically, their number follows at the end");
+  }
+}
+
+void PairPlaten::compute(int eflag, int vflag) {
+  ev_init(eflag, vflag);
+  if (neighbor->ago == 0 || class_of_.size() != static_cast<std::size_t>(atom->nlocal + atom->nghost))
+    find_classes();
+  if (laws_.classes() > 0) contacts();
+  if (neighbor->ago == 0) warn_beyond(false); // on all ranks alike
+}
+
+/// Touching pairs in blocks, which take three turns: who touches, the law, what follows of its force. Each
+/// turn is short enough for the processor to work on several contacts at once.
+struct PairPlaten::Block {
+  static constexpr int size = 64;
+  int count = 0;
+  int i[size], j[size];
+  dem::Memory* memory[size];
+  const dem::Terms* terms[size];
+  double r[size], reach[size], d[size][3];  // distance, sum of radii, x_i - x_j
+  double F[size], stiffness[size], a[size]; // of the law; F in units of the run
+};
+
+void PairPlaten::contacts() {
+  Block block;
+  double* const* x = atom->x;
+  const double* radius = atom->radius;
+  const int classes = laws_.classes(), *class_of = class_of_.data();
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii], count = list->numneigh[i], *neighbours = list->firstneigh[i];
+    const double xi = x[i][0], yi = x[i][1], zi = x[i][2], radius_i = radius[i];
+    int* const touch = history_->firstflag[i];
+    auto* const remembered = reinterpret_cast<dem::Memory*>(history_->firstvalue[i]);
+    const dem::Terms* const row = laws_.terms() + static_cast<std::ptrdiff_t>(class_of[i]) * classes;
+    for (int jj = 0; jj < count; jj++) {
+      const int j = neighbours[jj] & NEIGHMASK;
+      const double dx = xi - x[j][0], dy = yi - x[j][1], dz = zi - x[j][2];
+      const double rsq = dx * dx + dy * dy + dz * dz, reach = radius_i + radius[j];
+      if (rsq >= reach * reach) {
+        if (touch[jj]) touch[jj] = 0, remembered[jj] = {};
+        continue;
+      }
+      touch[jj] = 1;
+      const int c = block.count++;
+      block.i[c] = i, block.j[c] = j;
+      block.memory[c] = &remembered[jj];
+      block.terms[c] = &row[class_of[j]];
+      block.r[c] = std::sqrt(rsq), block.reach[c] = reach;
+      block.d[c][0] = dx, block.d[c][1] = dy, block.d[c][2] = dz;
+      if (block.count == Block::size) follow(block);
+    }
+  }
+  follow(block);
+}
+
+void PairPlaten::follow(Block& block) {
+  const int kind = laws_.only_kind();
+  if (kind < 0) laws_of<law::AnyLaw>(block);
+  else [&]<std::size_t... I>(std::index_sequence<I...>) { // one law alone: its own loop
+      ((static_cast<int>(I) == kind ? laws_of<std::variant_alternative_t<I, law::AnyLaw>>(block) : void()),
+       ...);
+    }
+  (std::make_index_sequence<std::variant_size_v<law::AnyLaw>>{});
+  if (any_friction_) any_damping_ ? forces<true, true>(block) : forces<true, false>(block);
+  else any_damping_ ? forces<false, true>(block) : forces<false, false>(block);
+  block.count = 0;
+}
+
+template <class Law> void PairPlaten::laws_of(Block& block) {
+  const dem::Units u = units_;
+  const double per_force = 1 / u.force;
+  for (int c = 0; c < block.count; c++) {
+    dem::Memory& m = *block.memory[c];
+    const dem::Terms& t = *block.terms[c];
+    const double before = m.gamma_max;
+    const law::Response now = dem::normal(law_as<Law>(*t.law), u, block.reach[c] - block.r[c], m);
+    if (t.gamma_valid < m.gamma_max && !(t.gamma_valid < before)) [[unlikely]]
+      beyond(t.contact, block.j[c]);
+    block.F[c] = now.force * per_force;
+    block.stiffness[c] = now.stiffness;
+    block.a[c] = now.contact_radius;
+  }
+}
+
+template <bool friction, bool damping> void PairPlaten::forces(const Block& block) {
+  double *const *v = atom->v, **f = atom->f, *const *omega = atom->omega, **torque = atom->torque;
+  const double *radius = atom->radius, *rmass = atom->rmass;
+  const int *mask = atom->mask, nlocal = atom->nlocal;
+  const dem::Units u = units_;
+  const double dt = update->setupflag ? 0.0 : update->dt; // setup moves nothing
+  for (int c = 0; c < block.count; c++) {
+    const int i = block.i[c], j = block.j[c];
+    const dem::Terms& t = *block.terms[c];
+    const double rinv = 1 / block.r[c];
+    const double n[3] = {block.d[c][0] * rinv, block.d[c][1] * rinv, block.d[c][2] * rinv};
+    double F = block.F[c];
+    double w[3], v_n = 0;
+    if constexpr (friction || damping) {
+      for (int k = 0; k < 3; k++) w[k] = v[i][k] - v[j][k];
+      v_n = w[0] * n[0] + w[1] * n[1] + w[2] * n[2];
+    }
+    if constexpr (damping) {
+      double mass = rmass[i] * rmass[j] / (rmass[i] + rmass[j]);
+      if (mask[i] & freeze_) mass = rmass[j];
+      if (mask[j] & freeze_) mass = rmass[i];
+      F = dem::damped(t, u, block.stiffness[c], F, mass, v_n);
+    }
+    double push[3] = {F * n[0], F * n[1], F * n[2]};
+    if constexpr (friction) {
+      // the contact divides the distance as the radii do: torques and forces keep the angular momentum
+      const double flat = block.r[c] / block.reach[c], arm_i = radius[i] * flat, arm_j = radius[j] * flat;
+      double wr[3];
+      for (int k = 0; k < 3; k++) wr[k] = arm_i * omega[i][k] + arm_j * omega[j][k];
+      w[0] -= v_n * n[0] + n[2] * wr[1] - n[1] * wr[2];
+      w[1] -= v_n * n[1] + n[0] * wr[2] - n[2] * wr[0];
+      w[2] -= v_n * n[2] + n[1] * wr[0] - n[0] * wr[1];
+      dem::slide(t, block.a[c], F, n, w, dt, *block.memory[c]);
+      const double* s = block.memory[c]->tangential;
+      const double turn[3] = {n[1] * s[2] - n[2] * s[1], n[2] * s[0] - n[0] * s[2],
+                              n[0] * s[1] - n[1] * s[0]};
+      for (int k = 0; k < 3; k++) {
+        push[k] += s[k];
+        torque[i][k] -= arm_i * turn[k];
+        if (j < nlocal) torque[j][k] -= arm_j * turn[k];
+      }
+    }
+    for (int k = 0; k < 3; k++) {
+      f[i][k] += push[k];
+      if (j < nlocal) f[j][k] -= push[k];
+    }
+    if (evflag)
+      ev_tally_xyz(i, j, nlocal, 0, 0.0, 0.0, push[0], push[1], push[2], block.d[c][0], block.d[c][1],
+                   block.d[c][2]);
+  }
+}
+
+/// Reads what the contact remembers and changes nothing. svector: overlap, normal force of the law, contact
+/// radius, mean pressure, work that unloading would not return, tangential force (3), all in units of the
+/// run.
+double PairPlaten::single(int i, int j, int, int, double rsq, double, double, double& fforce) {
+  fforce = 0;
+  std::fill(svector, svector + single_extra, 0.0);
+  const double reach = atom->radius[i] + atom->radius[j];
+  const auto known = static_cast<int>(class_of_.size());
+  if (rsq >= reach * reach || i >= known || j >= known) return 0;
+  dem::Memory m{};
+  double sign = 1;
+  const auto find = [&](int of, int other) {
+    if (of >= atom->nlocal) return false;
+    for (int jj = 0; jj < list->numneigh[of]; jj++)
+      if ((list->firstneigh[of][jj] & NEIGHMASK) == other) {
+        m = reinterpret_cast<const dem::Memory*>(history_->firstvalue[of])[jj];
+        return true;
+      }
+    return false;
+  };
+  if (!find(i, j) && find(j, i)) sign = -1;
+  const double r = std::sqrt(rsq);
+  const int a = class_of_[static_cast<std::size_t>(i)], b = class_of_[static_cast<std::size_t>(j)];
+  const law::Response now =
+      law::evaluate(laws_.law_of(a, b), law::State{0, m.gamma_max}, (reach - r) * units_.length);
+  const double F = now.force / units_.force;
+  svector[0] = reach - r;
+  svector[1] = F;
+  svector[2] = now.contact_radius / units_.length;
+  svector[3] = now.mean_pressure * units_.length * units_.length / units_.force;
+  svector[4] = now.dissipated_work / (units_.force * units_.length);
+  for (int k = 0; k < 3; k++) svector[5 + k] = sign * m.tangential[k];
+  fforce = F / r;
+  return 0;
+}
+
+double PairPlaten::memory_usage() {
+  return static_cast<double>(class_of_.size()) * sizeof(int) +
+         static_cast<double>(laws_.classes()) * laws_.classes() * sizeof(law::AnyLaw) / 2;
+}

@@ -1,0 +1,55 @@
+#pragma once
+// pair_style platen: contact laws of Platen between spheres.
+
+#include "contact_laws.hpp"
+#include "host.hpp"
+
+namespace LAMMPS_NS {
+
+class PairPlaten : public Pair {
+ public:
+  explicit PairPlaten(LAMMPS*);
+  ~PairPlaten() override;
+  PairPlaten(const PairPlaten&) = delete;
+  PairPlaten& operator=(const PairPlaten&) = delete;
+
+  void compute(int eflag, int vflag) override;
+  void settings(int, char**) override;
+  void coeff(int, char**) override;
+  void init_style() override;
+  double init_one(int, int) override;
+  double single(int, int, int, int, double, double, double, double& fforce) override;
+  double memory_usage() override;
+#ifdef PLATEN_LAMMPS_LOADS_PLUGINS
+  void transfer_history(double* from, double* to, int, int) override;
+#else
+  double atom2cut(int i) override;
+  double radii2cut(double, double) override;
+  void transfer_history(double* from, double* to) override;
+#endif
+
+ private:
+  void allocate();
+  void find_classes();
+  void contacts();
+  void warn_beyond(bool last);
+  void beyond(int contact, int j);
+  struct Block;
+  void follow(Block&);
+  template <class Law> void laws_of(Block&);
+  template <bool friction, bool damping> void forces(const Block&);
+
+  std::vector<platen::dem::Contact> contacts_;
+  std::vector<int> contact_of_types_;
+  platen::dem::LawTable laws_;
+  platen::dem::Units units_;
+  std::vector<int> class_of_; // of owned and ghost atoms
+  std::vector<double> largest_radius_;
+  std::vector<long> beyond_; // twice the contacts that left the validity of their card, by pair_coeff; on this rank
+  std::vector<bool> warned_;
+  bool history_made_ = false, any_friction_ = false, any_damping_ = false;
+  int freeze_ = 0; // group bit
+  class FixNeighHistory* history_ = nullptr;
+};
+
+} // namespace LAMMPS_NS
