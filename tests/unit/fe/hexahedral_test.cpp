@@ -50,19 +50,19 @@ std::vector<double> along(const fe::HexahedralSolid& solid, const std::vector<do
   return product;
 }
 
-/// Largest error of the tangent, along random directions, against fourth-order differences of the forces,
-/// over its largest entry.
+/// Largest error of some columns of the tangent against fourth-order differences of the forces, over their
+/// largest entry; where a point changes its zone between them there is no derivative to compare with.
 double tangent_error(fe::HexahedralSolid& solid, const std::vector<double>& u, double h) {
   EXPECT_EQ(solid.evaluate(u), fe::Evaluation::done);
   solid.linearise();
   const auto zones_here = zones(solid);
   double error = 0, scale = 0;
   int compared = 0;
-  for (unsigned seed = 1; seed <= 20; ++seed) {
-    std::mt19937 generator(seed);
-    std::normal_distribution<double> random;
+  std::mt19937 generator(1);
+  std::uniform_int_distribution<std::size_t> component(0, u.size() - 1);
+  for (int direction = 0; direction < 40; ++direction) {
     std::vector<double> d(u.size()), slope(u.size());
-    for (double& x : d) x = random(generator);
+    d[component(generator)] = 1;
     const auto exact = along(solid, d);
     bool smooth = true;
     for (const auto& [step, weight] : {std::pair{-2.0, 1.0}, {-1.0, -8.0}, {1.0, 8.0}, {2.0, -1.0}}) {
@@ -79,7 +79,7 @@ double tangent_error(fe::HexahedralSolid& solid, const std::vector<double>& u, d
       scale = std::max(scale, std::abs(exact[i]));
     }
   }
-  EXPECT_GT(compared, 8);
+  EXPECT_GT(compared, 20);
   return error / scale;
 }
 
