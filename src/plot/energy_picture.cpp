@@ -20,7 +20,7 @@ void energy_picture(const press::Curve& curve, const std::filesystem::path& file
   double least_x = 0, most_x = 0, least = 0, most = 0, peak = 0;
   for (const auto& p : curve.points) {
     if (p.branch != press::Branch::loading || !(p.work_J > 0) || !(p.delta_bar > 0)) continue;
-    if (data.empty()) least_x = p.delta_bar, least = p.work_J / unit;
+    if (data.empty()) least_x = 0.6 * p.delta_bar, least = p.work_J / unit;
     most_x = std::max(most_x, p.delta_bar);
     most = std::max(most, p.work_J / unit);
     peak = std::max(peak, p.mean_pressure_Pa / curve.sigma_ref_Pa);
@@ -72,7 +72,8 @@ void energy_picture(const press::Curve& curve, const std::filesystem::path& file
   for (int i = 1; i < tag; ++i) script += fmt::format("unset label {}\n", i); // once is enough
   script +=
       fmt::format("unset title\nset tmargin at screen 0.52\nset bmargin at screen 0.09\nset logscale y\n"
-                  "set format y '10^{{%L}}'\nset yrange [{:.8g}:{:.8g}]\nset key bottom right Left reverse "
+                  "set format y '10^{{%L}}'\nset yrange [{:.8g}:{:.8g}]\nset key at screen 0.96,screen 0.555 "
+                  "right top horizontal Left reverse "
                   "samplen 2 tc rgb '{}'\n"
                   "set xlabel 'overlap of the planes along z  δ/R_0' tc rgb '{}'\n"
                   "set ylabel 'energy of one side W/(πR_0^3σ_{{ref}})' tc rgb '{}'\n"
