@@ -1,3 +1,4 @@
+#include "app/agarwal_report.hpp"
 #include "app/commands.hpp"
 #include "app/fit_report.hpp"
 #include "app/wang_report.hpp"
@@ -27,7 +28,7 @@ struct Options {
   bool json = false;
 };
 
-const std::vector<std::string> laws = {"edmans-sinka", "wang"};
+const std::vector<std::string> laws = {"edmans-sinka", "wang", "agarwal"};
 
 double checked(double value, std::string_view option, bool allowed, std::string_view range) {
   if (!allowed)
@@ -69,13 +70,26 @@ void fit_wang_to(const press::Curve& curve, const Options& o) {
   fmt::print("{}", o.json ? wang_json(curve, fit) : wang_words(fit));
 }
 
+void fit_agarwal_to(const press::Curve& curve, const Options& o) {
+  if (!o.picture.empty())
+    throw core::InvalidInput(
+        "--picture: there is none of a fit of agarwal; platen compare draws law and curve");
+  const auto fit = fit::fit_agarwal(curve);
+  if (!o.card.empty()) core::write_file(o.card, text_of(fit::law_card(curve, fit, core::read_file(o.curve))));
+  fmt::print("{}", o.json ? agarwal_json(curve, fit) : agarwal_words(curve, fit));
+}
+
 void fit_curve(const Options& o) {
   if (std::find(laws.begin(), laws.end(), o.law) == laws.end())
     throw core::InvalidInput(
         fmt::format("--law {}: there is no such law to fit{}", o.law, core::suggestion(o.law, laws)));
   auto curve = press::read_curve(o.curve, o.radius_m);
+  if (o.law == "agarwal" && !(curve.sigma_ref_Pa > 0) && !o.sigma_ref_Pa)
+    throw core::InvalidInput(fmt::format(
+        "{} says no reference stress, the yield stress that agarwal needs; give --sigma_ref_Pa", o.curve));
   complete(curve, o);
   if (o.law == "wang") return fit_wang_to(curve, o);
+  if (o.law == "agarwal") return fit_agarwal_to(curve, o);
   if (!o.card.empty() && !(curve.E_Pa > 0))
     throw core::InvalidInput(
         fmt::format("{} says no elasticity, which a law card needs for unloading; give --E_Pa and "
@@ -95,7 +109,9 @@ void add_fit(CLI::App& program) {
   auto* command = program.add_subcommand("fit", "fit a contact law to a curve, pressed or measured");
   auto o = std::make_shared<Options>();
   command->add_option("CURVE.csv", o->curve, "curve.csv of a press, or columns delta_m,force_N")->required();
-  command->add_option("--law", o->law, "law to fit: edmans-sinka, wang")->required()->type_name("NAME");
+  command->add_option("--law", o->law, "law to fit: edmans-sinka, wang, agarwal")
+      ->required()
+      ->type_name("NAME");
   command->add_option("--variant", o->variant, variant_help)->type_name("V")->capture_default_str();
   command->add_option("-o", o->card, "write the law card here")->type_name("LAW.toml");
   command->add_option("--picture", o->picture, "draw curve, law and residual: .svg or .png")

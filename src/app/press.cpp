@@ -1,6 +1,8 @@
 #include "app/commands.hpp"
 #include "app/press_into.hpp"
 #include "press/case_card.hpp"
+#include "press/confined.hpp"
+#include "press/regimes.hpp"
 #include "press/tension.hpp"
 
 #include <CLI/CLI.hpp>
@@ -35,10 +37,13 @@ void press(const Options& options) {
       "{}: {} points, loaded to delta_bar = {:.4g}, F_bar = {:.4g} (F = {:.4g} N), contact radius {:.4g} "
       "R, in {:.1f} s\n"
       "{}\n"
+      "{}"
       "results in {}\n",
       c.material.name, result.curve.points.size(), last.delta_bar, last.F_bar, last.force_N,
       last.contact_radius_m / c.radius_m, result.statistics.total_s,
-      press::tension_words(result.curve, c.material.tensile_strength), folder.path().string());
+      press::tension_words(result.curve, c.material.tensile_strength),
+      press::is_confined(c.experiment) ? press::regimes_words(press::regimes(result.curve)) : "",
+      folder.path().string());
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "core/progress.hpp"
 #include "core/say.hpp"
 #include "plot/confined_picture.hpp"
+#include "plot/energy_picture.hpp"
 #include "plot/local_picture.hpp"
 #include "plot/zone_map.hpp"
 #include "press/case_card.hpp"
@@ -47,7 +48,10 @@ void write_pictures(const press::Case&, const press::LocalResult& result, const 
 }
 
 void write_pictures(const press::Case& c, const press::ConfinedResult& result, const OutputFolder& folder) {
-  if (press::loading_end(result.curve)) plot::contacts_picture(result.curve, folder / "contacts.svg");
+  if (press::loading_end(result.curve)) {
+    plot::contacts_picture(result.curve, folder / "contacts.svg");
+    plot::energy_picture(result.curve, folder / "energy.svg");
+  }
   if (result.spatial.empty()) return;
   plot::particle_picture(result.spatial, fmt::format("{}: plastic strain", c.material.name),
                          folder / "particle.svg");
@@ -64,7 +68,8 @@ const std::vector<press::SpatialSnapshot>& snapshots_of(const press::ConfinedRes
 template <class Result>
 Pressed written(const press::Case& c, const Result& result, const OutputFolder& folder, Fields fields) {
   folder.forget({"case.toml", "curve.csv", "summary.json", "zones.svg", "curve.svg", "law.toml", "fields.pvd",
-                 "approach.svg", "peaks.svg", "pressure.svg", "contacts.svg", "particle.svg", "faces.svg"});
+                 "approach.svg", "peaks.svg", "pressure.svg", "contacts.svg", "energy.svg", "particle.svg",
+                 "faces.svg"});
   folder.forget_series("fields-", ".vtu");
   folder.forget_series("profile-", ".csv");
   press::write_curve(result.curve, folder / "curve.csv");

@@ -3,6 +3,7 @@
 #include "core/toml.hpp"
 #include "core/version.hpp"
 #include "press/case_card.hpp"
+#include "press/regimes.hpp"
 #include "press/tension.hpp"
 
 #include <nlohmann/json.hpp>
@@ -103,6 +104,18 @@ Json json_of(const std::optional<Onset>& onset) {
   return {{"force_N", onset->force_N}, {"r_over_a", onset->r_over_a}, {"depth_over_a", onset->depth_over_a}};
 }
 
+Json json_of(const Regimes& found) {
+  Json json = Json::object();
+  for (const auto& boundary : regime_boundaries()) {
+    const auto& at = found.*boundary.delta_bar;
+    json[boundary.key] =
+        at ? Json{{"from_delta_bar", *at}, {"criterion", boundary.criterion}} : Json(nullptr);
+  }
+  json["yields_in_first_row"] = found.yields_in_first_row;
+  json["stored_share_at_end"] = found.stored_share_at_end ? Json(*found.stored_share_at_end) : Json(nullptr);
+  return json;
+}
+
 } // namespace
 
 std::string summary_json(const Case& c, const Result& result) { return text_of(summary_of(c, result)); }
@@ -132,6 +145,7 @@ std::string summary_json(const Case& c, const ConfinedResult& result) {
         {"x", plane(p->delta_x_m, p->force_x_N, p->contact_radius_x_m, p->mean_pressure_x_Pa)},
         {"y", plane(p->delta_y_m, p->force_y_N, p->contact_radius_y_m, p->mean_pressure_y_Pa)}};
   }
+  summary["regimes"] = json_of(regimes(result.curve));
   return text_of(summary);
 }
 
