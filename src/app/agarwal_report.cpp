@@ -32,7 +32,7 @@ std::string agarwal_words(const press::Curve& curve, const fit::AgarwalFit& f) {
   for (const auto& [name, d] :
        {std::pair{"hardness F/(pi a^2)", f.hardness}, {"radius a", f.radius}, {"force F", f.force}})
     words += fmt::format("  {:<20} {:5.1f} %  {:4.1f} %\n", name, 100 * d.largest, 100 * d.rms);
-  words += fmt::format("  with fitted D_i, a    {:5.1f} %  {:4.1f} %\n", 100 * f.fitted_radius.largest,
+  words += fmt::format("  with fitted D_i, a   {:5.1f} %  {:4.1f} %\n", 100 * f.fitted_radius.largest,
                        100 * f.fitted_radius.rms);
   return words + "a law card holds the published law, with these deviations as its errors\n";
 }
