@@ -32,6 +32,8 @@ std::string agarwal_words(const press::Curve& curve, const fit::AgarwalFit& f) {
   for (const auto& [name, d] :
        {std::pair{"hardness F/(pi a^2)", f.hardness}, {"radius a", f.radius}, {"force F", f.force}})
     words += fmt::format("  {:<20} {:5.1f} %  {:4.1f} %\n", name, 100 * d.largest, 100 * d.rms);
+  words += fmt::format("  with fitted D_i, a   {:5.1f} %  {:4.1f} %\n", 100 * f.fitted_radius.largest,
+                       100 * f.fitted_radius.rms);
   return words + "a law card holds the published law, with these deviations as its errors\n";
 }
 
@@ -55,6 +57,7 @@ std::string agarwal_json(const press::Curve& curve, const fit::AgarwalFit& f) {
       {"fitted_range", {{"delta_bar", {f.delta_bar_from, f.delta_bar_to}}, {"points", f.points}}},
       {"fitted_radius_rms", f.radius_rms},
       {"compared_range", {{"delta_bar", {f.compared_from, f.compared_to}}, {"points", f.compared}}},
+      {"fitted_deviation", {{"radius", deviation(f.fitted_radius)}}},
       {"published_deviation",
        {{"hardness", deviation(f.hardness)},
         {"radius", deviation(f.radius)},

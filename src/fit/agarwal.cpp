@@ -95,12 +95,13 @@ AgarwalFit fit_agarwal(const press::Curve& curve) {
     const double F_bar = p->force_N / (std::numbers::pi * R * R * curve.sigma_ref_Pa);
     add(fit.hardness, point.H / (F_bar / (a * a)));
     add(fit.radius, point.a / a);
+    add(fit.fitted_radius, fit.fitted.a_bar(x) / a);
     add(fit.force, point.F / F_bar);
     ++compared;
   }
   fit.compared = compared;
   fit.radius_rms = std::sqrt(squares / static_cast<double>(rows.size()));
-  for (Deviation* deviation : {&fit.hardness, &fit.radius, &fit.force})
+  for (Deviation* deviation : {&fit.hardness, &fit.radius, &fit.force, &fit.fitted_radius})
     if (compared) deviation->rms = std::sqrt(deviation->rms / static_cast<double>(compared));
   return fit;
 }

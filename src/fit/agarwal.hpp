@@ -29,6 +29,7 @@ struct AgarwalFit {
   double compared_from = 0, compared_to = 0;
   std::size_t compared = 0;
   Deviation hardness, radius, force; ///< F/(pi a^2), a, F of the published form
+  Deviation fitted_radius;           ///< a with the fitted D_i, over the same rows
 };
 
 /// D_i from rows of the loading branch with delta/R0 from 0.02 to the limit; deviations from 0.06 to 0.9 of
