@@ -22,8 +22,8 @@ double dot(std::span<const double> a, std::span<const double> b) {
 
 } // namespace
 
-LaggedSolver::LaggedSolver(int unknowns, std::vector<std::vector<int>> element_unknowns, Symmetry symmetry)
-    : elements(std::move(element_unknowns)), direct(unknowns, elements, symmetry) {}
+LaggedSolver::LaggedSolver(int unknowns, std::vector<std::vector<int>> element_unknowns)
+    : elements(std::move(element_unknowns)), direct(unknowns, elements, Symmetry::unsymmetric) {}
 
 bool LaggedSolver::matrix(std::span<const double> element_matrices) {
   matrices = element_matrices;
@@ -34,7 +34,6 @@ bool LaggedSolver::matrix(std::span<const double> element_matrices) {
 bool LaggedSolver::factorise() {
   Stopwatch watch(factorisation_s);
   if (!direct.factorise(matrices)) return false;
-  ++factorisations;
   fresh = true;
   wanted = false;
   spent = factorisation_cost;
@@ -79,7 +78,6 @@ int LaggedSolver::gmres(std::span<double> x) {
   for (int k = 0; k < steps_max; ++k) {
     direction = basis[k];
     direct.solve(direction);
-    ++applications;
     multiply(direction, product);
     std::vector<double> h(k + 2);
     for (int i = 0; i <= k; ++i) {
@@ -110,7 +108,6 @@ int LaggedSolver::gmres(std::span<double> x) {
       for (int i = 0; i <= k; ++i)
         for (std::size_t n = 0; n < direction.size(); ++n) direction[n] += rest[i] * basis[i][n];
       direct.solve(direction);
-      ++applications;
       std::copy(direction.begin(), direction.end(), x.begin());
       return k + 2;
     }

@@ -14,8 +14,8 @@ namespace platen::fe {
 
 class LaggedSolver {
  public:
-  /// As DirectSolver's.
-  LaggedSolver(int unknowns, std::vector<std::vector<int>> element_unknowns, Symmetry);
+  /// As DirectSolver's; unsymmetric, as plastic tangents are.
+  LaggedSolver(int unknowns, std::vector<std::vector<int>> element_unknowns);
 
   /// The matrix of the next solutions; factorised where that pays. The span must stay. False where it was to
   /// be factorised and is singular.
@@ -23,9 +23,7 @@ class LaggedSolver {
   /// Replaces the right-hand side by the solution, up to a residual of `tolerance` of it.
   [[nodiscard]] bool solve(std::span<double> rhs_to_solution);
 
-  /// Factorisations, and solutions with their factors, so far.
-  long factorisations = 0, applications = 0;
-  double factorisation_s = 0;
+  double factorisation_s = 0; ///< spent so far
 
   static constexpr double tolerance = 1e-2;
 
@@ -39,7 +37,7 @@ class LaggedSolver {
   std::span<const double> matrices;
   bool fresh = false; ///< the factors are those of the matrix
   bool wanted = true; ///< to factorise the next matrix
-  double spent = 0;   ///< since the last factorisation, in applications
+  double spent = 0;   ///< since the last factorisation, in solutions with its factors
   int solved = 0;
 };
 

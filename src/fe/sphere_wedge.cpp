@@ -24,7 +24,8 @@ struct Plan {
 constexpr double root2 = std::numbers::sqrt2, root3 = std::numbers::sqrt3;
 constexpr double shell = 4; // growth from the sphere towards the centre
 
-// Split points moved by an optimiser until the least and the mean scaled Jacobian were largest.
+// Split points of the smaller wedges: moved by an optimiser until the least and the mean scaled Jacobian were
+// largest; of the octant: by eye.
 Plan plan_of(Wedge wedge) {
   Plan p{};
   for (auto& row : p.growth) std::fill(std::begin(row), std::end(row), 1.0);

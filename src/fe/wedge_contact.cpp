@@ -72,7 +72,6 @@ WedgeContact::WedgeContact(HexahedralSolid& solid_, const WedgeMesh& mesh_, std:
     plane.normal = normal;
     for (const auto& g : group)
       plane.wedges += norm(Vector3{dot(g[0], normal), dot(g[1], normal), dot(g[2], normal)} - normal) < 1e-9;
-    plane.images = static_cast<int>(group.size()) / plane.wedges;
     for (int f = 0; f < static_cast<int>(mesh.surface.size()); ++f) {
       std::vector<Point> points;
       double highest = deepest, bulge = 0, whole = 0;
@@ -159,7 +158,7 @@ void WedgeContact::number_unknowns() {
     entries += list.size() * list.size();
   }
   matrices.assign(entries, 0.0);
-  solver = std::make_unique<LaggedSolver>(unknown, std::move(lists), Symmetry::unsymmetric);
+  solver = std::make_unique<LaggedSolver>(unknown, std::move(lists));
 }
 
 std::vector<double> WedgeContact::expand(const std::vector<double>& x) const {

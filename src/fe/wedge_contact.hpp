@@ -33,8 +33,6 @@ class WedgeContact : Equilibrium {
                const ContactStiffness& = {});
 
   int unknowns() const { return static_cast<int>(u.size()); }
-  /// How many planes of the whole sphere are this one's images.
-  int images(int plane) const { return planes[plane].images; }
 
   /// Solves for the planes at `heights` (R0), starting from `guess`. On success `u` is the new equilibrium
   /// and the solid holds the evaluation there, not committed; else `u` is unchanged.
@@ -67,7 +65,7 @@ class WedgeContact : Equilibrium {
   };
   struct Plane {
     Vector3 normal;
-    int images = 0, wedges = 0; ///< wedges: of the whole sphere, that press on one plane
+    int wedges = 0; ///< of the whole sphere, that press on this plane
     double height = 1;
     std::vector<Point> points; ///< 16 a face, faces that never touch left out
   };

@@ -1,7 +1,7 @@
 #include "press/confined.hpp"
 
-#include "core/error.hpp"
 #include "press/by_overlap.hpp"
+#include "press/case_card.hpp"
 #include "press/confined_run.hpp"
 
 #include <cmath>
@@ -23,7 +23,10 @@ bool is_confined(std::string_view experiment) {
   return experiment == "die" || experiment == "hydrostatic" || experiment == "triaxial";
 }
 
-ConfinedResult confined(const Case& c, const Progress& progress) {
+ConfinedResult confined(const Case& given, const Progress& progress) {
+  if (is_confined(given.experiment)) validate(given);
+  Case c = given;
+  if (c.experiment == "triaxial") c.delta_bar_max = path_length(c);
   return PressByOverlap<ConfinedRun>(c, progress)();
 }
 

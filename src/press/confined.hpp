@@ -37,8 +37,8 @@ struct ConfinedResult : Result {
   std::vector<SpatialSnapshot> spatial;
 };
 
-/// As simple(); `experiment` of the case says how. A case with experiment "simple" is pressed in space too.
-/// Loads until the cell is filled beyond what fullest() allows at most.
+/// As simple(); `experiment` of the case says how. A case with experiment "simple" is pressed in space too,
+/// for comparison. Of a triaxial case delta_bar_max is not read: the press goes to the end of its history.
 ConfinedResult confined(const Case&, const Progress& = {});
 
 /// delta_bar at which the cell has the volume of the undeformed particle, 1 - pi/6 (die) and 1 - (pi/6)^{1/3}

@@ -69,12 +69,10 @@ void cells(Writer& out, const Snapshot& s) {
   out.close("Cells");
 }
 
-void cell_data(Writer& out, const Snapshot& s) {
-  constexpr std::array<const char*, 4> stresses = {"sigma_rr_Pa", "sigma_zz_Pa", "sigma_rz_Pa",
-                                                   "sigma_tt_Pa"};
-  out.open("CellData Scalars=\"zone\"");
-  out.array("Int32", "zone", 1, s.zones, [](const auto& zones) { return std::to_string(zone_of(zones)); });
-  for (std::size_t i = 0; i < stresses.size(); ++i)
+/// Cauchy stresses under their names, and what has the same name in all presses.
+template <class Snapshot, std::size_t N>
+void cell_values(Writer& out, const Snapshot& s, const std::array<const char*, N>& stresses) {
+  for (std::size_t i = 0; i < N; ++i)
     out.array("Float64", stresses[i], 1, s.stress,
               [&](const auto& stress) { return fmt::format("{:.7g}", stress[i]); });
   out.scalars("p_Pa", s.p);
@@ -83,6 +81,12 @@ void cell_data(Writer& out, const Snapshot& s) {
   out.scalars("phi", s.phi);
   out.scalars("plastic_hencky_strain_v", s.plastic_strain_v);
   out.scalars("plastic_hencky_strain_q", s.plastic_strain_q);
+}
+
+void cell_data(Writer& out, const Snapshot& s) {
+  out.open("CellData Scalars=\"zone\"");
+  out.array("Int32", "zone", 1, s.zones, [](const auto& zones) { return std::to_string(zone_of(zones)); });
+  cell_values(out, s, std::array{"sigma_rr_Pa", "sigma_zz_Pa", "sigma_rz_Pa", "sigma_tt_Pa"});
   out.close("CellData");
 }
 
@@ -134,8 +138,6 @@ std::string fields_vtu(const Snapshot& s, double radius_m) {
 }
 
 std::string fields_vtu(const SpatialSnapshot& s, double radius_m) {
-  constexpr std::array<const char*, 6> stresses = {"sigma_xx_Pa", "sigma_yy_Pa", "sigma_zz_Pa",
-                                                   "sigma_xy_Pa", "sigma_yz_Pa", "sigma_zx_Pa"};
   Writer out;
   begin(out, s.delta_bar, s.nodes.size(), s.hexes.size());
   const auto in_metres = [&](const fe::Vector3& x) {
@@ -156,15 +158,9 @@ std::string fields_vtu(const SpatialSnapshot& s, double radius_m) {
   out.close("Cells");
   out.open("CellData Scalars=\"plastic_hencky_strain_q\"");
   out.array("Int32", "zone", 1, s.zone, [](Zone zone) { return std::to_string(static_cast<int>(zone)); });
-  for (std::size_t i = 0; i < stresses.size(); ++i)
-    out.array("Float64", stresses[i], 1, s.stress,
-              [&](const auto& stress) { return fmt::format("{:.7g}", stress[i]); });
-  out.scalars("p_Pa", s.p);
-  out.scalars("q_Pa", s.q);
-  out.scalars("rho_r", s.rho_r);
-  out.scalars("phi", s.phi);
-  out.scalars("plastic_hencky_strain_v", s.plastic_strain_v);
-  out.scalars("plastic_hencky_strain_q", s.plastic_strain_q);
+  cell_values(
+      out, s,
+      std::array{"sigma_xx_Pa", "sigma_yy_Pa", "sigma_zz_Pa", "sigma_xy_Pa", "sigma_yz_Pa", "sigma_zx_Pa"});
   out.close("CellData");
   return ended(out);
 }
