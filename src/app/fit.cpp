@@ -1,6 +1,6 @@
-#include "app/agarwal_report.hpp"
 #include "app/commands.hpp"
 #include "app/fit_report.hpp"
+#include "app/large_deformation_report.hpp"
 #include "app/wang_report.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
@@ -24,11 +24,11 @@ namespace {
 
 struct Options {
   std::string curve, law, variant = "published", card, picture;
-  std::optional<double> radius_m, sigma_ref_Pa, E_Pa, nu, phi_deg, sigma_c_Pa;
+  std::optional<double> radius_m, sigma_ref_Pa, E_Pa, nu, phi_deg, sigma_c_Pa, inverse_m;
   bool json = false;
 };
 
-const std::vector<std::string> laws = {"edmans-sinka", "wang", "agarwal"};
+const std::vector<std::string> laws = {"edmans-sinka", "wang", "agarwal", "shahin"};
 
 double checked(double value, std::string_view option, bool allowed, std::string_view range) {
   if (!allowed)
@@ -46,6 +46,9 @@ void complete(press::Curve& curve, const Options& o) {
   if (o.sigma_c_Pa)
     curve.sigma_c_Pa =
         checked(*o.sigma_c_Pa, "--sigma_c_Pa", *o.sigma_c_Pa > 0 && std::isfinite(*o.sigma_c_Pa), "> 0");
+  if (o.inverse_m)
+    curve.inverse_m =
+        checked(*o.inverse_m, "--inverse_m", *o.inverse_m >= 0 && *o.inverse_m <= 1, "in [0, 1]");
   if (o.sigma_ref_Pa)
     press::set_reference_stress(curve, checked(*o.sigma_ref_Pa, "--sigma_ref_Pa",
                                                *o.sigma_ref_Pa > 0 && std::isfinite(*o.sigma_ref_Pa), "> 0"));
@@ -70,13 +73,17 @@ void fit_wang_to(const press::Curve& curve, const Options& o) {
   fmt::print("{}", o.json ? wang_json(curve, fit) : wang_words(fit));
 }
 
-void fit_agarwal_to(const press::Curve& curve, const Options& o) {
+void fit_large_deformation_to(const press::Curve& curve, const Options& o) {
   if (!o.picture.empty())
     throw core::InvalidInput(
-        "--picture: there is none of a fit of agarwal; platen compare draws law and curve");
-  const auto fit = fit::fit_agarwal(curve);
-  if (!o.card.empty()) core::write_file(o.card, text_of(fit::law_card(curve, fit, core::read_file(o.curve))));
-  fmt::print("{}", o.json ? agarwal_json(curve, fit) : agarwal_words(curve, fit));
+        fmt::format("--picture: there is none of a fit of {}; platen compare draws law and curve", o.law));
+  const auto report = [&](const auto& fit, const auto& words, const auto& json) {
+    if (!o.card.empty())
+      core::write_file(o.card, text_of(fit::law_card(curve, fit, core::read_file(o.curve))));
+    fmt::print("{}", o.json ? json(curve, fit) : words(curve, fit));
+  };
+  if (o.law == "agarwal") report(fit::fit_agarwal(curve), agarwal_words, agarwal_json);
+  else report(fit::fit_shahin(curve), shahin_words, shahin_json);
 }
 
 void fit_curve(const Options& o) {
@@ -84,12 +91,14 @@ void fit_curve(const Options& o) {
     throw core::InvalidInput(
         fmt::format("--law {}: there is no such law to fit{}", o.law, core::suggestion(o.law, laws)));
   auto curve = press::read_curve(o.curve, o.radius_m);
-  if (o.law == "agarwal" && !(curve.sigma_ref_Pa > 0) && !o.sigma_ref_Pa)
-    throw core::InvalidInput(fmt::format(
-        "{} says no reference stress, the yield stress that agarwal needs; give --sigma_ref_Pa", o.curve));
+  const bool large_deformation = o.law == "agarwal" || o.law == "shahin";
+  if (large_deformation && !(curve.sigma_ref_Pa > 0) && !o.sigma_ref_Pa)
+    throw core::InvalidInput(
+        fmt::format("{} says no reference stress, the {} that {} needs; give --sigma_ref_Pa", o.curve,
+                    o.law == "agarwal" ? "yield stress" : "kappa", o.law));
   complete(curve, o);
   if (o.law == "wang") return fit_wang_to(curve, o);
-  if (o.law == "agarwal") return fit_agarwal_to(curve, o);
+  if (large_deformation) return fit_large_deformation_to(curve, o);
   if (!o.card.empty() && !(curve.E_Pa > 0))
     throw core::InvalidInput(
         fmt::format("{} says no elasticity, which a law card needs for unloading; give --E_Pa and "
@@ -109,7 +118,7 @@ void add_fit(CLI::App& program) {
   auto* command = program.add_subcommand("fit", "fit a contact law to a curve, pressed or measured");
   auto o = std::make_shared<Options>();
   command->add_option("CURVE.csv", o->curve, "curve.csv of a press, or columns delta_m,force_N")->required();
-  command->add_option("--law", o->law, "law to fit: edmans-sinka, wang, agarwal")
+  command->add_option("--law", o->law, "law to fit: edmans-sinka, wang, agarwal, shahin")
       ->required()
       ->type_name("NAME");
   command->add_option("--variant", o->variant, variant_help)->type_name("V")->capture_default_str();
@@ -125,6 +134,8 @@ void add_fit(CLI::App& program) {
   command->add_option("--phi_deg", o->phi_deg, "wang: friction angle, for a curve that does not say it")
       ->type_name("NUMBER");
   command->add_option("--sigma_c_Pa", o->sigma_c_Pa, "wang: uniaxial compressive strength, likewise")
+      ->type_name("NUMBER");
+  command->add_option("--inverse_m", o->inverse_m, "shahin: 1/m of sigma = kappa epsilon^(1/m), likewise")
       ->type_name("NUMBER");
   command->add_flag("--json", o->json, "for a machine to read");
   command->footer("Example: platen fit out/curve.csv --law edmans-sinka -o law.toml\n"

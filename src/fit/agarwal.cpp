@@ -2,32 +2,35 @@
 
 #include "core/error.hpp"
 #include "core/number.hpp"
-#include "core/sha256.hpp"
+#include "fit/hardness_search.hpp"
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
-#include <vector>
 
 namespace platen::fit {
 namespace {
 
-constexpr std::size_t fewest_points = 8;
-constexpr double fit_from = 0.02, compare_from = 0.06, compare_to = 0.9;
+using Coefficients = law::AgarwalCoefficients<double>;
+constexpr auto variant = law::AgarwalVariant::published; // the radius that is fitted
 
-law::LoadingCase loading_of(const press::Curve& curve) {
-  if (curve.experiment == "simple") return law::LoadingCase::simple;
-  if (curve.experiment == "die") return law::LoadingCase::die;
-  if (curve.experiment == "hydrostatic") return law::LoadingCase::hydrostatic;
-  throw core::InvalidInput(
-      fmt::format("the experiment of the curve is '{}'; agarwal is fitted to simple, die or "
-                  "hydrostatic, which a line '# experiment = ...' says",
-                  curve.experiment));
-}
+/// The law for H_max, x_h, q, r, x_min, H_min and -ln(1 - l); the radius has no part in its hardness.
+struct Hardness {
+  static constexpr int coefficients = 7;
+  law::LoadingCase loading;
+  double lambda, zeta;
+
+  template <class Real> auto operator()(const Real* theta) const {
+    law::AgarwalCoefficients<Real> c;
+    using std::exp;
+    c.D1 = Real(1);
+    c.H_max = theta[0], c.x_h = theta[1], c.q = theta[2], c.r = theta[3], c.x_min = theta[4],
+    c.H_min = theta[5];
+    c.l = Real(1) - exp(-theta[6]);
+    return law::AgarwalCurve<Real>::make(loading, variant, Real(lambda), Real(zeta), c);
+  }
+};
 
 void check(const press::Curve& curve) {
   if (!(curve.E_Pa > 0)) throw core::InvalidInput("the curve says no E_Pa, which agarwal needs; give --E_Pa");
@@ -36,96 +39,72 @@ void check(const press::Curve& curve) {
                              "--sigma_ref_Pa");
 }
 
+LawOfOverlap law_of(const AgarwalFit& fit, const Coefficients& coefficients) {
+  return [curve = law::AgarwalCurve<double>::make(fit.loading, variant, fit.lambda, fit.zeta, coefficients)](
+             double x) {
+    const auto p = curve.at(x);
+    return LawPoint{p.H, p.a, p.F};
+  };
+}
+
 } // namespace
 
 AgarwalFit fit_agarwal(const press::Curve& curve) {
   check(curve);
   AgarwalFit fit;
-  fit.loading = loading_of(curve);
+  fit.loading = loading_case(curve, "agarwal");
   fit.lambda = curve.E_Pa / ((1 - curve.nu * curve.nu) * curve.sigma_ref_Pa);
   fit.zeta = curve.E_Pa / (3 * (1 - 2 * curve.nu)) / curve.sigma_ref_Pa;
   if (!(fit.lambda >= 22.1))
     throw core::InvalidInput(
         fmt::format("lambda = E/((1 - nu^2) sigma_ref) is {:.4g}; agarwal holds from 22.1 on", fit.lambda));
-  fit.delta_bar_limit = fit.loading == law::LoadingCase::simple ? 0.5 : law::x_of_filled_cell(fit.loading);
-  const auto law =
-      law::AgarwalCurve<double>::make(fit.loading, law::AgarwalVariant::published, fit.lambda, fit.zeta);
-  fit.published = law.radius;
-
-  std::vector<const press::CurvePoint*> rows;
-  constexpr double last_digit = 1 + 1e-9; // the last row stands at the limit
-  for (const auto& p : curve.points)
-    if (p.branch == press::Branch::loading && p.contact_radius_m > 0 && p.force_N > 0 &&
-        p.delta_bar >= fit_from && p.delta_bar <= fit.delta_bar_limit * last_digit)
-      rows.push_back(&p);
+  const auto rows = loaded_rows(curve, fit.loading, "agarwal");
   fit.points = rows.size();
-  if (rows.size() < fewest_points)
-    throw core::InvalidInput(
-        fmt::format("the loading branch has {} rows with a contact radius and delta_bar from "
-                    "{} to {:.4g}; a fit of agarwal needs at least {}",
-                    rows.size(), fit_from, fit.delta_bar_limit, fewest_points));
-  fit.delta_bar_from = rows.front()->delta_bar;
-  fit.delta_bar_to = rows.back()->delta_bar;
+  fit.x_from = rows.front().x, fit.x_to = rows.back().x;
+  fit.published = Coefficients::published(fit.loading, fit.lambda, fit.zeta);
+  fit.side_onset = side_onset(curve);
+  fit.sides = side_motion(curve);
 
-  Eigen::MatrixX3d A(rows.size(), 3);
-  Eigen::VectorXd b(rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double x = rows[i]->delta_bar, root = std::sqrt(x);
-    const auto row = static_cast<Eigen::Index>(i);
-    A.row(row) << root, -root * x, root * x * x;
-    b(row) = rows[i]->contact_radius_m / curve.radius_m;
-  }
-  const Eigen::Vector3d D = A.colPivHouseholderQr().solve(b);
-  fit.fitted = {D(0), D(1), D(2)};
-
-  double squares = 0;
-  std::size_t compared = 0;
-  const auto add = [](Deviation& deviation, double ratio) {
-    deviation.largest = std::max(deviation.largest, std::abs(ratio - 1));
-    deviation.rms += (ratio - 1) * (ratio - 1);
-  };
-  fit.compared_from = compare_from;
-  fit.compared_to = compare_to * fit.delta_bar_limit;
-  const double R = curve.radius_m;
-  for (const auto* p : rows) {
-    const double x = p->delta_bar, a = p->contact_radius_m / R;
-    squares += std::pow(fit.fitted.a_bar(x) / a - 1, 2);
-    if (x < fit.compared_from || x > fit.compared_to) continue;
-    const auto point = law.at(x);
-    const double F_bar = p->force_N / (std::numbers::pi * R * R * curve.sigma_ref_Pa);
-    add(fit.hardness, point.H / (F_bar / (a * a)));
-    add(fit.radius, point.a / a);
-    add(fit.fitted_radius, fit.fitted.a_bar(x) / a);
-    add(fit.force, point.F / F_bar);
-    ++compared;
-  }
-  fit.compared = compared;
-  fit.radius_rms = std::sqrt(squares / static_cast<double>(rows.size()));
-  for (Deviation* deviation : {&fit.hardness, &fit.radius, &fit.force, &fit.fitted_radius})
-    if (compared) deviation->rms = std::sqrt(deviation->rms / static_cast<double>(compared));
+  Coefficients c = fit.published;
+  const auto [radius, whole] = fit_radius(rows, fit.loading, {c.D1, c.D3, c.D5});
+  c.D1 = radius.D1, c.D3 = radius.D3, c.D5 = radius.D5;
+  if (!whole) fit.held = {"D_3", "D_5"};
+  const bool simple = fit.loading == law::LoadingCase::simple;
+  const double limit = last_overlap(fit.loading), x_y = std::pow(3.3 * std::numbers::pi / 4 / fit.lambda, 2);
+  const bool rises = !simple && fit.x_to > c.x_min;
+  std::vector<SearchRange> ranges = {{"H_max", c.H_max, 1.2, 10, false},
+                                     {"x_h", c.x_h, 1.01 * x_y, 0.25 * limit, c.x_h < fit.x_from},
+                                     {"q", c.q, 0.5, 100, !simple},
+                                     {"r", c.r, 1, 10, !simple},
+                                     {"x_min", c.x_min, 0.3 * limit, 0.97 * limit, !rises},
+                                     {"H_min", c.H_min, 0.1, 10, !rises},
+                                     {"l", -std::log1p(-c.l), 0.1, 20, !rises}};
+  const auto theta = search_hardness(Hardness{fit.loading, fit.lambda, fit.zeta}, rows, radius, ranges);
+  c.H_max = theta[0], c.x_h = theta[1], c.q = theta[2], c.r = theta[3], c.x_min = theta[4],
+  c.H_min = theta[5];
+  c.l = -std::expm1(-theta[6]);
+  for (const auto& range : ranges)
+    if (range.held) fit.held.push_back(range.key);
+  fit.fitted = c;
+  if (rises) fit.Gamma = law::density_product(fit.loading, c.x_min, radius.a_bar(c.x_min));
+  fit.of_fitted = deviations(law_of(fit, fit.fitted), rows, fit.loading);
+  fit.of_published = deviations(law_of(fit, fit.published), rows, fit.loading);
   return fit;
 }
 
 LawCard law_card(const press::Curve& curve, const AgarwalFit& fit, std::string_view curve_text) {
-  if (fit.compared == 0)
-    throw core::InvalidInput(
-        fmt::format("the curve has no rows with delta_bar from {:.4g} to {:.4g}, so a card of "
-                    "agarwal could say no errors",
-                    fit.compared_from, fit.compared_to));
   LawCard card;
   card.law = "agarwal";
-  card.variant = "published";
-  const auto put = [&](const char* key, double value) { card.parameters[key] = core::number_text(value); };
+  card.variant = "hertz-radius";
+  const auto put = [&](std::string_view key, double value) {
+    card.parameters[std::string(key)] = core::number_text(value);
+  };
   put("E_Pa", curve.E_Pa);
   put("nu", curve.nu);
   put("sigma_y_Pa", curve.sigma_ref_Pa);
   card.parameters["loading"] = curve.experiment;
-  card.delta_bar = {fit.compared_from, fit.compared_to};
-  card.errors = {{"hardness_largest", fit.hardness.largest}, {"hardness_rms", fit.hardness.rms},
-                 {"radius_largest", fit.radius.largest},     {"radius_rms", fit.radius.rms},
-                 {"force_largest", fit.force.largest},       {"force_rms", fit.force.rms}};
-  card.provenance = {
-      {"material", curve.material}, {"curve_sha256", core::sha256(curve_text)}, {"engine", curve.engine}};
+  for (const auto& c : law::agarwal_coefficients) put(c.key, fit.fitted.*c.member);
+  complete(card, curve, fit.of_fitted, curve_text);
   return card;
 }
 

@@ -1,45 +1,33 @@
 #pragma once
-// The law `agarwal` beside one pressed curve. Its contact radius,
-//   a/R = sqrt(x) (D_1 - D_3 x + D_5 x^2),  x = gamma/2R = delta/R0 (2.13)
-// is linear in D_i, which are fitted to the curve; hardness and force are the published closed forms, whose
-// distance from the curve is told. Formulas: platen/law/agarwal_curve.hpp.
+// The law `agarwal` fitted to one pressed curve: the radius (2.13) is linear in D_i, the hardness of (2.48)
+// is fitted by its own coefficients. Formulas: platen/law/agarwal_curve.hpp.
 
-#include "fit/law_card.hpp"
-#include "platen/law/agarwal_curve.hpp"
-#include "press/curve.hpp"
-
-#include <string_view>
+#include "fit/large_deformation.hpp"
 
 namespace platen::fit {
-
-/// Of a published form, relative to the curve, over the overlaps of the comparison.
-struct Deviation {
-  double largest = 0; ///< of |law/curve - 1|
-  double rms = 0;     ///< over the rows
-};
 
 struct AgarwalFit {
   law::LoadingCase loading = law::LoadingCase::simple;
   double lambda = 0, zeta = 0;
-  double delta_bar_limit = 0;                  ///< where the cell is filled; 0.5 for simple loading
-  double delta_bar_from = 0, delta_bar_to = 0; ///< fitted rows
+  double x_from = 0, x_to = 0; ///< fitted rows
   std::size_t points = 0;
-  law::RadiusPolynomial<double> fitted, published;
-  double radius_rms = 0; ///< of fitted/curve - 1 over the fitted rows
-  double compared_from = 0, compared_to = 0;
-  std::size_t compared = 0;
-  Deviation hardness, radius, force; ///< F/(pi a^2), a, F of the published form
-  Deviation fitted_radius;           ///< a with the fitted D_i, over the same rows
+  law::AgarwalCoefficients<double> fitted, published;
+  std::vector<std::string_view>
+      held; ///< keys that the curve does not determine, left at the published values
+  Deviations of_fitted, of_published;
+  std::optional<double> Gamma; ///< rho_V rho_S (2.28) at the fitted x_min, Fig. 2.17
+  std::optional<double> side_onset;
+  std::optional<SideMotion> sides;
 };
 
-/// D_i from rows of the loading branch with delta/R0 from 0.02 to the limit; deviations from 0.06 to 0.9 of
-/// it. Throws core::InvalidInput where the curve says no E or sigma_ref, no contact radius, another
-/// experiment than simple, die or hydrostatic, where the law has no such material, or with fewer than eight
-/// rows to fit.
+/// D_i from the radius; the others by least squares of ln H_bar and ln F_bar with that radius, over
+/// loaded_rows(). As in the thesis, the softening q and r are found in simple loading alone, x_min, H_min and
+/// l in a cell alone; x_h only where it lies on the fitted rows. What is not found stays as published. Throws
+/// core::InvalidInput where the curve says no E or sigma_ref, no contact radius, another experiment than
+/// simple, die or hydrostatic, or where the law has no such material.
 AgarwalFit fit_agarwal(const press::Curve&);
 
-/// The published law for this material and loading, with its deviations from this curve: `agarwal` has no
-/// parameters for D_i.
+/// The law with the fitted coefficients, and its deviations from this curve.
 LawCard law_card(const press::Curve&, const AgarwalFit&, std::string_view curve_text);
 
 } // namespace platen::fit

@@ -1,6 +1,7 @@
 #pragma once
 // The curve of a press: one row for each converged step.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,8 @@ struct Curve {
   // Of the local press, 0 where unknown: the Drucker-Prager strength that makes the curve dimensionless.
   double phi_deg = 0;
   double sigma_c_Pa = 0;
+  /// Of sigma = kappa epsilon^(1/m), kappa being sigma_ref; not for other materials.
+  std::optional<double> inverse_m = {};
 };
 
 /// Where the loading branch ends; the first point where there is none, null where there is no point at all.

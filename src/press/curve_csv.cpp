@@ -136,6 +136,7 @@ void read_notes(Curve& curve, const core::Csv& csv, std::optional<double> radius
   curve.nu = number("nu");
   curve.phi_deg = number("phi_deg");
   curve.sigma_c_Pa = number("sigma_c_Pa");
+  if (!csv.note("inverse_m").empty()) curve.inverse_m = csv.number_note("inverse_m");
   if (curve.sigma_ref_Pa < 0)
     throw core::InvalidInput(
         fmt::format("{}: # sigma_ref_Pa = {} must be > 0", csv.file, csv.note("sigma_ref_Pa")));
@@ -160,6 +161,7 @@ std::string curve_csv(const Curve& curve) {
   if (curve.sigma_c_Pa > 0)
     text += fmt::format("# phi_deg = {}\n# sigma_c_Pa = {}\n", core::number_text(curve.phi_deg),
                         core::number_text(curve.sigma_c_Pa));
+  if (curve.inverse_m) text += fmt::format("# inverse_m = {}\n", core::number_text(*curve.inverse_m));
   const auto written = columns_of(curve.experiment);
   for (const auto& column : written) {
     if (&column != written.data()) text += ',';

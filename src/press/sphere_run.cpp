@@ -159,6 +159,9 @@ Curve begun_curve(const Case& c) {
   curve.sigma_ref_Pa = material::reference_stress(c.material.model);
   curve.E_Pa = material::initial_E(c.material.model);
   curve.nu = material::initial_nu(c.material.model);
+  if (const auto* metal = std::get_if<material::VonMises>(&c.material.model))
+    if (const auto* hollomon = std::get_if<material::Hollomon>(&metal->hardening))
+      curve.inverse_m = hollomon->inverse_m;
   curve.experiment = c.experiment;
   curve.material = c.material.name;
   curve.version = std::string(core::version);

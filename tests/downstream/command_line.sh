@@ -164,6 +164,16 @@ answers 0 ',unloading,' "$platen" eval derived/law.toml -p radius_m=1e-3 --path 
 answers 0 'unload_R2' "$platen" fit derived/curve.csv --law edmans-sinka --json
 sed 's/^# E_Pa = .*//' derived/curve.csv >without.csv
 answers 0 'give --E_Pa and --nu' "$platen" fit without.csv --law edmans-sinka
+# --- laws of large deformation: their coefficients, each replaceable ---
+answers 0 'sides move by gamma_s/R' "$platen" fit derived/curve.csv --law agarwal -o agarwal.toml
+answers 0 '"not_fitted"' "$platen" fit derived/curve.csv --law agarwal --json
+answers 0 ',loading,' "$platen" eval agarwal.toml -p radius_m=1e-3 --overlap 1e-5:1e-4:3
+answers 2 'H_max = 0.5 is not in (1.1, inf)' "$platen" eval agarwal.toml -p radius_m=1e-3 -p H_max=0.5 --overlap 1e-5:1e-4:3
+answers 2 'platen compare draws' "$platen" fit derived/curve.csv --law agarwal --picture a.svg
+answers 2 'give --inverse_m' "$platen" fit derived/curve.csv --law shahin
+answers 2 'in [0, 1]' "$platen" fit derived/curve.csv --law shahin --inverse_m 2
+answers 0 'E/kappa = 100' "$platen" fit derived/curve.csv --law shahin --inverse_m 0 -o shahin.toml
+answers 0 ',loading,' "$platen" eval shahin.toml -p radius_m=1e-3 --overlap 1e-5:1e-4:3
 answers 0 'law card' "$platen" derive von-mises-100 -o derived --delta_bar_max 0.1 --elements 200 --unload_from none
 grep -q 'alpha' derived/law.toml && { failures=$((failures + 1)); echo "FAILED: $(cat derived/law.toml)"; }
 answers 0 'results in again' "$platen" press out/case.toml -o again

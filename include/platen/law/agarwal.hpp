@@ -22,6 +22,7 @@ struct AgarwalMaterial {
   double sigma_y = 0; ///< uniaxial yield stress [Pa]
   LoadingCase loading = LoadingCase::simple;
   AgarwalVariant variant = AgarwalVariant::hertz_radius; ///< the same on both sides
+  AgarwalCoefficients<double> coefficients = {};         ///< 0: published; of the softer side
 };
 
 struct Agarwal {
@@ -158,8 +159,13 @@ inline Agarwal prepare_agarwal(const AgarwalMaterial& m1, const Body& one, const
   require(name, "lambda = E/((1 - nu^2) sigma_y)", lambda, {22.1, infinity, false, true});
   law.force_scale = std::numbers::pi * law.pair.R_e * law.pair.R_e * soft.sigma_y;
   law.material_in_range = lambda >= 117 && lambda <= 5934; // the simulations of Table A.1
-  law.curve = AgarwalCurve<double>::make(soft.loading, soft.variant, lambda, zeta);
+  const auto coefficients =
+      with_given(name, agarwal_coefficients,
+                 AgarwalCoefficients<double>::published(soft.loading, lambda, zeta), soft.coefficients);
+  law.curve = AgarwalCurve<double>::make(soft.loading, soft.variant, lambda, zeta, coefficients);
   const AgarwalCurve<double>& curve = law.curve;
+  require(name, "x_h", curve.x_h, {curve.x_y, curve.x_min, true, true});
+  require(name, "H_min", curve.H_min, {0, curve.H_max, true, true});
   law.gamma_elastic = curve.x_y / law.pair.x_per_gamma;
   law.gamma_limit = 1000 / law.pair.x_per_gamma;
   law.x_first = soft.variant == AgarwalVariant::published ? 0.05 : 0;
@@ -185,6 +191,7 @@ inline Agarwal prepare_agarwal(const AgarwalMaterial& m1, const Body& one, const
     }
     law.at_cap.work += law.volumetric_work(law.x_cap);
   }
+  require_rising(name, curve, curve.x_y, law.x_cap);
   const auto end = curve.at(law.x_cap);
   law.cap = {end.F, end.slope, end.a};
   // The finite size of the sphere stiffens the unloading; faded in from yield on, where unloading is Hertz's.

@@ -11,6 +11,7 @@
 // otherwise. Force is unreliable below x of about 0.05 with the published radius: it is not Hertz's, the
 // elastic limit is 2.2 to 3.1 times Hertz's force.
 
+#include "platen/law/coefficient.hpp"
 #include "platen/law/contact.hpp"
 #include "platen/law/loading_case.hpp"
 #include "platen/law/radius_polynomial.hpp"
@@ -25,6 +26,17 @@ enum class AgarwalVariant : unsigned char {
 
 /// Where the minimum of H_bar in the cell is looked for: rho_V rho_S = 0.0593 (2.28).
 inline constexpr double shahin_minimum_density_product = 0.0593;
+
+/// rho_V rho_S of a contact along z (2.28)-(2.30): die pi^2 a^2/(144 (1 - x)), hydrostatic with (1 - x)^5.
+inline double density_product(LoadingCase loading, double x, double a_bar) {
+  const double h = 1 - x;
+  return std::numbers::pi * std::numbers::pi / 144 * a_bar * a_bar /
+         (loading == LoadingCase::die ? h : h * h * h * h * h);
+}
+/// The same of a side contact in a die, over the primary overlap (2.52).
+inline double side_density_product(double x, double a_bar) {
+  return std::numbers::pi * std::numbers::pi / 144 * a_bar * a_bar / ((1 - x) * (1 - x));
+}
 
 /// b_i^LC and (alpha, beta, delta)_i of Table 2.2, i = 1, 3, 5. The exponent of b is i/2, not 1/2 as printed
 /// in (2.14): only so does Table 3.1 follow.
@@ -46,9 +58,8 @@ inline RadiusPolynomial<double> rigid_plastic_radius(LoadingCase loading) {
   return agarwal_radius(loading, 1e30);
 }
 
-/// The overlap x_min at which the contact pressure is least: appendix C, die pi^2 a^2/(144 (1 - x)) = 0.0593,
-/// hydrostatic with (1 - x)^5. The left side rises from 0, so there is one root; simple loading has x_min
-/// = 1.
+/// The overlap x_min at which the contact pressure is least: appendix C, density_product() = Gamma. The left
+/// side rises from 0, so there is one root; simple loading has x_min = 1.
 template <class Real>
 PLATEN_FUNCTION Real overlap_of_least_pressure(LoadingCase loading, const RadiusPolynomial<Real>& radius) {
   if (loading == LoadingCase::simple) return Real(1);
@@ -107,22 +118,64 @@ template <class Real> struct Softening {
   }
 };
 
-/// Depth p of the softening and minimum of H_bar for one loading case (2.31)-(2.38).
-template <class Real> struct SofteningDepth { Real p{}, H_min{}; };
-
+/// The least H_bar for one loading case (2.31)-(2.37), of a softening that is flat there.
 template <class Real>
-PLATEN_FUNCTION SofteningDepth<Real> softening_depth(LoadingCase loading, const Real& H_max,
-                                                     const Real& y_simple, const Real& y_min,
-                                                     const Softening<Real>& here,
-                                                     const Softening<Real>& simple) {
-  const Real p_simple = (H_max - Real(1)) / simple.value(y_simple); // (2.32)
-  if (loading == LoadingCase::simple) return {p_simple, Real(1)};
+PLATEN_FUNCTION Real least_hardness(LoadingCase loading, const Real& H_max, const Real& y_simple,
+                                    const Real& y_min, const Real& q, const Real& r) {
+  if (loading == LoadingCase::simple) return Real(1);
+  const auto here = Softening<Real>::flat_at(y_min, q, r), simple = Softening<Real>::flat_at(y_simple, q, r);
+  const Real p_simple = (H_max - Real(1)) / simple.value(y_simple);                      // (2.32)
   const Real H1 = H_max - p_simple * simple.value(y_min);                                // (2.33)
   const Real p_o = p_simple * simple.slope_at_inflection() / here.slope_at_inflection(); // (2.35)
   const Real H2 = H_max - p_o * here.value(y_min);                                       // (2.36)
-  const Real H_min = Real(0.5) * (H1 + H2);                                              // (2.37)
-  return {(H_max - H_min) / here.value(y_min), H_min};                                   // (2.38)
+  return Real(0.5) * (H1 + H2);                                                          // (2.37)
 }
+
+/// The numbers of (2.48) that stand for finite elements.
+template <class Real = double> struct AgarwalCoefficients {
+  Real D1{}, D3{}, D5{}; ///< contact radius (2.14)
+  Real H_max{}, x_h{};   ///< greatest H_bar and its overlap (2.19), (2.20)
+  Real q{}, r{};         ///< softening (2.39), (2.40)
+  Real x_min{}, H_min{}; ///< least H_bar: where (2.28), and how much (2.37); simple loading: 1 and 1
+  Real l{};              ///< low compressibility (2.47)
+
+  static PLATEN_FUNCTION AgarwalCoefficients published(LoadingCase loading, const Real& lambda,
+                                                       const Real& zeta) {
+    using std::exp, std::pow, std::tanh;
+    AgarwalCoefficients c;
+    const RadiusPolynomial<Real> radius = agarwal_radius(loading, lambda);
+    c.D1 = radius.D1, c.D3 = radius.D3, c.D5 = radius.D5;
+    c.H_max = Real(3.101) * tanh(Real(0.6746) * pow(lambda, Real(0.0829)));
+    c.x_h = exp(Real(0.7073) / pow(lambda, Real(0.6547))) - Real(1);
+    c.q = Real(14.1819) * tanh(Real(0.3729) * pow(lambda, Real(0.1013)));
+    c.r = exp(Real(1.6199) / pow(lambda, Real(0.3232)));
+    c.x_min = overlap_of_least_pressure(loading, radius);
+    c.H_min = least_hardness(loading, c.H_max, Real(1) - c.x_h, c.x_min - c.x_h, c.q, c.r);
+    c.l = Real(1) - Real(1) / (Real(1) + Real(0.2335) * zeta);
+    return c;
+  }
+};
+
+/// They by name, as parameters of a law card; 0 stands for the published closed form.
+inline constexpr std::array agarwal_coefficients = {
+    Coefficient<AgarwalCoefficients<>>{"D_1", "(2.13), contact radius", positive, &AgarwalCoefficients<>::D1},
+    Coefficient<AgarwalCoefficients<>>{"D_3", "(2.13)", finite, &AgarwalCoefficients<>::D3},
+    Coefficient<AgarwalCoefficients<>>{"D_5", "(2.13)", finite, &AgarwalCoefficients<>::D5},
+    Coefficient<AgarwalCoefficients<>>{"H_max",
+                                       "(2.18), greatest hardness over sigma_y",
+                                       {1.1, infinity, true, true},
+                                       &AgarwalCoefficients<>::H_max},
+    Coefficient<AgarwalCoefficients<>>{
+        "x_h", "(2.18), its delta/R", {0, 1, true, true}, &AgarwalCoefficients<>::x_h},
+    Coefficient<AgarwalCoefficients<>>{"q", "(2.25), softening", positive, &AgarwalCoefficients<>::q},
+    Coefficient<AgarwalCoefficients<>>{"r", "(2.25)", {1, infinity, false, true}, &AgarwalCoefficients<>::r},
+    Coefficient<AgarwalCoefficients<>>{
+        "x_min", "(2.26), delta/R of the least hardness", {0, 1, true, false}, &AgarwalCoefficients<>::x_min},
+    Coefficient<AgarwalCoefficients<>>{"H_min", "(2.38), the least hardness over sigma_y", positive,
+                                       &AgarwalCoefficients<>::H_min},
+    Coefficient<AgarwalCoefficients<>>{
+        "l", "(2.41), low compressibility", {0, 1, true, true}, &AgarwalCoefficients<>::l},
+};
 
 template <class Real = double> struct AgarwalCurve {
   LoadingCase loading = LoadingCase::simple;
@@ -141,38 +194,40 @@ template <class Real = double> struct AgarwalCurve {
     Real H, a, a_log_slope;
   };
 
+  /// The published law.
   static PLATEN_FUNCTION AgarwalCurve make(LoadingCase loading, AgarwalVariant variant, const Real& lambda,
                                            const Real& zeta) {
-    using std::exp, std::log, std::pow, std::tanh;
+    return make(loading, variant, lambda, zeta, AgarwalCoefficients<Real>::published(loading, lambda, zeta));
+  }
+
+  static PLATEN_FUNCTION AgarwalCurve make(LoadingCase loading, AgarwalVariant variant, const Real& lambda,
+                                           const Real& zeta, const AgarwalCoefficients<Real>& given) {
+    using std::log, std::pow;
     AgarwalCurve c;
     c.loading = loading;
     c.variant = variant;
     c.lambda = lambda;
     c.zeta = zeta;
-    c.radius = agarwal_radius(loading, lambda);
+    c.radius = {given.D1, given.D3, given.D5};
     const Real root_y = Real(3.3 * std::numbers::pi / 4) / lambda; // (2.17) with A = 2/R
     c.x_y = root_y * root_y;
-    c.H_max = Real(3.101) * tanh(Real(0.6746) * pow(lambda, Real(0.0829))); // (2.19)
-    c.x_h = exp(Real(0.7073) / pow(lambda, Real(0.6547))) - Real(1);        // (2.20)
+    c.H_max = given.H_max;
+    c.x_h = given.x_h;
     const Real L = log(c.x_h / c.x_y);
     c.blend_rate = Real(1) / (L + Real(1.0986122886681098)); // ln 3
     c.c2 = Real(0.55) * L / (c.H_max - Real(1.1));           // (2.22): lambda sqrt(A gamma_y)/(3 pi) = 1.1/2
     c.c1 = (c.H_max - Real(1.1)) / pow(L, c.c2);             // (2.23)
-    const Real q = Real(14.1819) * tanh(Real(0.3729) * pow(lambda, Real(0.1013))); // (2.39)
-    const Real r = exp(Real(1.6199) / pow(lambda, Real(0.3232)));                  // (2.40)
-    c.x_min = overlap_of_least_pressure(loading, c.radius);
-    const Real y_simple = Real(1) - c.x_h, y_min = c.x_min - c.x_h;
-    c.softening = Softening<Real>::flat_at(y_min, q, r);
-    const SofteningDepth<Real> depth = softening_depth(loading, c.H_max, y_simple, y_min, c.softening,
-                                                       Softening<Real>::flat_at(y_simple, q, r));
-    c.p = depth.p;
-    c.H_min = depth.H_min;
+    c.x_min = given.x_min;
+    const Real y_min = c.x_min - c.x_h;
+    c.softening = Softening<Real>::flat_at(y_min, given.q, given.r);
+    c.H_min = given.H_min;
+    c.p = (c.H_max - c.H_min) / c.softening.value(y_min); // (2.32), (2.38)
     if (loading == LoadingCase::simple) {
       c.x_zp = Real(1);
       return c;
     }
     c.chi_min = cell_volume_ratio(loading, c.x_min);
-    c.l = Real(1) - Real(1) / (Real(1) + Real(0.2335) * zeta); // (2.47)
+    c.l = given.l;
     const Real k = (Real(1) - c.l) * log(Real(1) - c.l);
     const Real v_el =
         (Real(2) * c.l * c.H_min + zeta * (Real(1) - c.chi_min) * k) / (zeta * (Real(2) * c.l + k)); // (2.46)

@@ -21,11 +21,20 @@ struct SecondaryContact {
   std::optional<double> F_bar; ///< force over pi R^2 sigma_y
 };
 
-/// gamma_s/2R at primary overlap x = gamma/2R (2.49)-(2.51).
-inline double secondary_overlap(double lambda, double x) {
+/// gamma_s/R = tau (gamma/R)^omega (2.49)-(2.51), without units.
+struct SideMotion {
+  double tau, omega;
+};
+inline SideMotion side_motion(double lambda) {
   const double tau = 1 / (1480.8863 * std::tanh(5.0261e-5 * std::pow(lambda, 1.2889)));
   const double omega = 5.7775 * std::tanh(0.0159 * std::pow(lambda, 0.6146));
-  return tau * std::pow(10.0, omega - 1) * std::pow(2 * x, omega) / 2;
+  return {tau * std::pow(10.0, omega - 1), omega};
+}
+
+/// gamma_s/2R at primary overlap x = gamma/2R.
+inline double secondary_overlap(double lambda, double x) {
+  const auto [tau, omega] = side_motion(lambda);
+  return tau * std::pow(2 * x, omega) / 2;
 }
 
 /// Primary overlap at which the sides enter the low-compressibility regime: Table 2.4, linear in ln lambda,

@@ -133,6 +133,7 @@ inline AnyLaw make_law(std::string_view name, std::string_view variant, const Pa
           "agarwal_secondary.hpp)");
     AgarwalMaterial one{E, nu, read("sigma_y_Pa"), detail::loading_of(read)};
     one.variant = chosen == "published" ? AgarwalVariant::published : AgarwalVariant::hertz_radius;
+    for (const auto& c : agarwal_coefficients) one.coefficients.*c.member = read(c.key);
     AgarwalMaterial two = one;
     two.E = E2, two.nu = nu2, two.sigma_y = read.second("sigma_y2_Pa", one.sigma_y);
     return prepared(one, two);
@@ -160,6 +161,7 @@ inline AnyLaw make_law(std::string_view name, std::string_view variant, const Pa
   }
   ShahinMaterial one{E, nu, read("kappa_Pa"), read("inverse_m"), detail::loading_of(read)};
   one.variant = chosen == "published" ? ShahinVariant::published : ShahinVariant::hardening_minimum;
+  for (const auto& c : shahin_coefficients) one.coefficients.*c.member = read(c.key);
   ShahinMaterial two = one;
   two.E = E2, two.nu = nu2, two.kappa = read.second("kappa2_Pa", one.kappa);
   return prepared(one, two);

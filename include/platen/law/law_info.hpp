@@ -2,7 +2,7 @@
 // The laws by name and their parameters: the one table that validation, messages and the reference pages
 // read.
 
-#include "platen/law/error.hpp"
+#include "platen/law/shahin_curve.hpp"
 
 #include <limits>
 #include <string_view>
@@ -36,6 +36,14 @@ struct LawInfo {
   std::vector<Parameter> parameters;
   std::vector<WordParameter> words;
 };
+
+namespace detail {
+template <class Table>
+std::vector<Parameter> with_coefficients(std::vector<Parameter> parameters, const Table& coefficients) {
+  for (const auto& c : coefficients) parameters.push_back({c.key, c.meaning, c.range, 0});
+  return parameters;
+}
+} // namespace detail
 
 inline const std::vector<LawInfo>& laws() {
   static const std::vector<LawInfo> all = [] {
@@ -116,7 +124,7 @@ inline const std::vector<LawInfo>& laws() {
          "lambda = E/((1 - nu^2) sigma_y) 117-5933 (formally >= 22.1); delta/R <= 0.5, in a cell a little "
          "past full",
          "hertz-radius|published",
-         {R, R2, E, nu, E2, nu2, sigma_y, sigma_y2},
+         detail::with_coefficients({R, R2, E, nu, E2, nu2, sigma_y, sigma_y2}, agarwal_coefficients),
          {against,
           loading,
           {"kind", "secondary: the sides of a particle in a die; refused, see docs/laws/agarwal.md",
@@ -126,7 +134,7 @@ inline const std::vector<LawInfo>& laws() {
          "Shahin's thesis, (3.45)-(3.59)",
          "0 <= 1/m <= 1; delta/R <= 0.5, in a cell until it is full",
          "published|hardening-minimum",
-         {R, R2, E, nu, E2, nu2, kappa, kappa2, inverse_m},
+         detail::with_coefficients({R, R2, E, nu, E2, nu2, kappa, kappa2, inverse_m}, shahin_coefficients),
          {against, loading}},
         {"thornton-ning",
          "elastic spheres with a largest contact pressure; a straight line from yield on",

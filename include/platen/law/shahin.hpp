@@ -21,6 +21,7 @@ struct ShahinMaterial {
   double inverse_m = 0; ///< hardening exponent 1/m, in [0, 1]; the same on both sides
   LoadingCase loading = LoadingCase::simple;
   ShahinVariant variant = ShahinVariant::published;
+  ShahinCoefficients<double> coefficients = {}; ///< 0: published; the same on both sides
 };
 
 struct Shahin {
@@ -125,7 +126,10 @@ inline Shahin prepare_shahin(const ShahinMaterial& m1, const Body& one, const Sh
   law.pair = make_pair(one, two);
   law.force_scale =
       std::numbers::pi * law.pair.R_e * law.pair.R_e * kappa_bar * std::pow(law.pair.sharing(), m1.inverse_m);
-  law.curve = ShahinCurve<double>::make(m1.loading, m1.inverse_m, m1.variant);
+  const auto coefficients = with_given(
+      name, shahin_coefficients, ShahinCoefficients<double>::published(m1.loading, m1.inverse_m, m1.variant),
+      m1.coefficients);
+  law.curve = ShahinCurve<double>::make(m1.loading, m1.inverse_m, coefficients);
   law.gamma_limit = 1000 / law.pair.x_per_gamma;
   const ShahinCurve<double>& curve = law.curve;
   const auto sample = [&](double x) {
@@ -145,6 +149,7 @@ inline Shahin prepare_shahin(const ShahinMaterial& m1, const Body& one, const Sh
     law.at_cap = law.closure.end;
     law.x_valid = law.x_cap = law.closure.x_high;
   }
+  require_rising(name, curve, Shahin::x_table, law.x_cap);
   const auto end = curve.at(law.x_cap);
   law.cap = {end.F, end.slope, end.a};
   const auto slope = [&](double x) {

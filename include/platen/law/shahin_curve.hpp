@@ -21,6 +21,49 @@ enum class ShahinVariant : unsigned char {
   hardening_minimum ///< x_min from the radius (3.47) of this 1/m; the thesis does not say which
 };
 
+/// The numbers of (3.47)-(3.59) that stand for finite elements.
+template <class Real = double> struct ShahinCoefficients {
+  Real D1{}, D3{}, D5{}; ///< contact radius (3.47)
+  Real H_max{}, q{};     ///< plastic (3.48)
+  Real x_min{}, H_min{}; ///< where low compressibility begins, and the bracket of H_bar there; simple: 1, 1
+  Real L{};              ///< low compressibility: 0.467 e^(-0.5883/m) (3.59)
+
+  static PLATEN_FUNCTION ShahinCoefficients published(LoadingCase loading, const Real& inverse_m,
+                                                      ShahinVariant variant) {
+    using std::exp, std::pow;
+    ShahinCoefficients c;
+    const RadiusPolynomial<Real> limit = agarwal_radius(loading, Real(1e30)); // Table 3.1
+    const Real hardening = Real(0) < inverse_m ? pow(inverse_m, Real(0.4616)) : Real(0);
+    c.D1 = limit.D1 * exp(Real(-0.485) * inverse_m);
+    c.D3 = limit.D3 * exp(Real(-1.455) * inverse_m);
+    c.D5 = limit.D5 * exp(Real(-0.5279) * hardening);
+    const RadiusPolynomial<Real> here{c.D1, c.D3, c.D5};
+    c.x_min = overlap_of_least_pressure(loading, variant == ShahinVariant::published ? limit : here);
+    c.H_max = Real(3.101) * exp(Real(-1.748) * inverse_m);
+    c.q = Real(14.1819); // rigid-plastic limit of (2.39); that of (2.40) is r = 1
+    c.H_min = least_hardness(loading, c.H_max, Real(1), c.x_min, c.q, Real(1));
+    c.L = Real(0.467) * exp(Real(-0.5883) * inverse_m);
+    return c;
+  }
+};
+
+/// They by name, as parameters of a law card; 0 stands for the published closed form.
+inline constexpr std::array shahin_coefficients = {
+    Coefficient<ShahinCoefficients<>>{"D_1", "(3.47), contact radius, with its power of e", positive,
+                                      &ShahinCoefficients<>::D1},
+    Coefficient<ShahinCoefficients<>>{"D_3", "(3.47)", finite, &ShahinCoefficients<>::D3},
+    Coefficient<ShahinCoefficients<>>{"D_5", "(3.47)", finite, &ShahinCoefficients<>::D5},
+    Coefficient<ShahinCoefficients<>>{"H_max", "(3.48)", positive, &ShahinCoefficients<>::H_max},
+    Coefficient<ShahinCoefficients<>>{"q", "(3.48), softening", positive, &ShahinCoefficients<>::q},
+    Coefficient<ShahinCoefficients<>>{"x_min",
+                                      "(3.58), delta/R where low compressibility begins",
+                                      {0, 1, true, false},
+                                      &ShahinCoefficients<>::x_min},
+    Coefficient<ShahinCoefficients<>>{"H_min", "(3.58), the bracket there", positive,
+                                      &ShahinCoefficients<>::H_min},
+    Coefficient<ShahinCoefficients<>>{"L", "(3.59), low compressibility", positive, &ShahinCoefficients<>::L},
+};
+
 template <class Real = double> struct ShahinCurve {
   LoadingCase loading = LoadingCase::simple;
   Real inverse_m{};
@@ -35,27 +78,26 @@ template <class Real = double> struct ShahinCurve {
     Real H, a, a_log_slope;
   };
 
+  /// The published law.
   static PLATEN_FUNCTION ShahinCurve make(LoadingCase loading, const Real& inverse_m,
                                           ShahinVariant variant = ShahinVariant::published) {
-    using std::exp, std::pow;
+    return make(loading, inverse_m, ShahinCoefficients<Real>::published(loading, inverse_m, variant));
+  }
+
+  static PLATEN_FUNCTION ShahinCurve make(LoadingCase loading, const Real& inverse_m,
+                                          const ShahinCoefficients<Real>& given) {
     ShahinCurve c;
     c.loading = loading;
     c.inverse_m = inverse_m;
-    const RadiusPolynomial<Real> limit = agarwal_radius(loading, Real(1e30)); // Table 3.1
-    const Real hardening = Real(0) < inverse_m ? pow(inverse_m, Real(0.4616)) : Real(0);
-    c.radius = {limit.D1 * exp(Real(-0.485) * inverse_m), limit.D3 * exp(Real(-1.455) * inverse_m),
-                limit.D5 * exp(Real(-0.5279) * hardening)};
-    c.x_min = overlap_of_least_pressure(loading, variant == ShahinVariant::published ? limit : c.radius);
-    c.H_max = Real(3.101) * exp(Real(-1.748) * inverse_m);
-    const Real q(14.1819), r(1); // rigid-plastic limits of (2.39), (2.40)
-    c.softening = Softening<Real>::flat_at(c.x_min, q, r);
-    const SofteningDepth<Real> depth = softening_depth(loading, c.H_max, Real(1), c.x_min, c.softening,
-                                                       Softening<Real>::flat_at(Real(1), q, r));
-    c.p = depth.p;
-    c.H_min = depth.H_min;
+    c.radius = {given.D1, given.D3, given.D5};
+    c.x_min = given.x_min;
+    c.H_max = given.H_max;
+    c.H_min = given.H_min;
+    c.softening = Softening<Real>::flat_at(c.x_min, given.q, Real(1));
+    c.p = (c.H_max - c.H_min) / c.softening.value(c.x_min);
     if (loading != LoadingCase::simple) {
       c.chi_min = cell_volume_ratio(loading, c.x_min);
-      c.g = (Real(1) - c.chi_min) / (Real(0.467) * exp(Real(-0.5883) * inverse_m));
+      c.g = (Real(1) - c.chi_min) / given.L;
     }
     return c;
   }

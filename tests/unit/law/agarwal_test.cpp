@@ -207,6 +207,40 @@ TEST(Agarwal, RefusesTooSoftAMaterial) {
   }
 }
 
+TEST(Agarwal, CoefficientsOfAFitReplaceThePublishedOnes) {
+  const double lambda = 100 / 0.91, zeta = 100 / 1.2;
+  for (LoadingCase loading : all_cases) {
+    AgarwalMaterial m = soft_metal(loading, AgarwalVariant::published);
+    auto fitted = AgarwalCoefficients<double>::published(loading, lambda, zeta);
+    fitted.D1 *= 1.02, fitted.H_max *= 0.96;
+    m.coefficients.D1 = fitted.D1, m.coefficients.H_max = fitted.H_max; // the others stay 0: as published
+    const auto expected = Curve::make(loading, AgarwalVariant::published, lambda, zeta, fitted);
+    const Agarwal law = prepare(m, 1e-3);
+    for (double x : {0.01, 0.05, 0.15, 0.18})
+      EXPECT_NEAR(law.loading(x / law.pair.x_per_gamma).F / law.force_scale, expected.F_bar(x),
+                  1e-4 * expected.F_bar(x));
+    EXPECT_NE(expected.F_bar(0.1), Curve::make(loading, AgarwalVariant::published, lambda, zeta).F_bar(0.1));
+  }
+}
+
+TEST(Agarwal, RefusesCoefficientsThatMakeNoLaw) {
+  const auto refused = [](double AgarwalCoefficients<double>::*member, double value) {
+    AgarwalMaterial m = soft_metal(LoadingCase::die);
+    m.coefficients.*member = value;
+    EXPECT_THROW(prepare(m, 1e-3), BadParameter) << value;
+  };
+  using C = AgarwalCoefficients<double>;
+  for (const double D1 : {-1.0, std::nan(""), infinity}) refused(&C::D1, D1);
+  refused(&C::D3, 5);      // the radius falls
+  refused(&C::H_max, 1);   // first yield is at 1.1
+  refused(&C::H_max, 1.3); // below H_min
+  refused(&C::x_h, 0.5);   // beyond x_min
+  refused(&C::x_h, 1e-6);  // before first yield
+  refused(&C::r, 0.9);
+  refused(&C::H_min, 3);
+  refused(&C::l, 1);
+}
+
 TEST(Agarwal, RandomPathsCreateNothing) {
   // Preparing a table takes far longer than a path: a thousand random laws, a hundred paths each.
   for_random_cases(paths_per_law / 100, [] {
@@ -214,7 +248,15 @@ TEST(Agarwal, RandomPathsCreateNothing) {
     const auto variant = static_cast<AgarwalVariant>(*rc::gen::resize(100, rc::gen::inRange(0, 2)));
     const auto draw = [&] {
       const double sigma_y = log_between(1e6, 5e8), nu = between(0, 0.49);
-      return AgarwalMaterial{sigma_y * (1 - nu * nu) * log_between(60, 6000), nu, sigma_y, loading, variant};
+      AgarwalMaterial m{sigma_y * (1 - nu * nu) * log_between(60, 6000), nu, sigma_y, loading, variant};
+      if (unit() < 0.5) return m;
+      const double lambda = m.E / ((1 - nu * nu) * sigma_y), zeta = m.E / (3 * (1 - 2 * nu)) / sigma_y;
+      m.coefficients = AgarwalCoefficients<double>::published(loading, lambda, zeta); // as if fitted
+      for (const auto& c : agarwal_coefficients) m.coefficients.*c.member *= between(0.97, 1.03);
+      m.coefficients.r = larger(1.0, m.coefficients.r);
+      m.coefficients.x_min = smaller(1.0, m.coefficients.x_min);
+      m.coefficients.l = smaller(0.9999, m.coefficients.l);
+      return m;
     };
     const AgarwalMaterial m1 = draw(), m2 = unit() < 0.5 ? m1 : draw();
     const double R1 = log_between(1e-6, 1e-1), R2 = unit() < 0.3   ? R1

@@ -157,10 +157,17 @@ TEST(Shahin, RandomPathsCreateNothing) {
     const auto loading = static_cast<LoadingCase>(*rc::gen::resize(100, rc::gen::inRange(0, 3)));
     const auto variant = static_cast<ShahinVariant>(*rc::gen::resize(100, rc::gen::inRange(0, 2)));
     const double inverse_m = unit();
+    ShahinCoefficients<double> coefficients; // 0: as published, or as if fitted
+    if (unit() < 0.5) {
+      coefficients = ShahinCoefficients<double>::published(loading, inverse_m, variant);
+      for (const auto& c : shahin_coefficients) coefficients.*c.member *= between(0.97, 1.03);
+      coefficients.x_min = smaller(1.0, coefficients.x_min);
+    }
     const auto draw = [&] {
       const double kappa = log_between(1e6, 1e9);
-      return ShahinMaterial{
-          kappa * log_between(10, 1e5), between(0, 0.49), kappa, inverse_m, loading, variant};
+      ShahinMaterial m{kappa * log_between(10, 1e5), between(0, 0.49), kappa, inverse_m, loading, variant};
+      m.coefficients = coefficients;
+      return m;
     };
     const ShahinMaterial m1 = draw(), m2 = unit() < 0.5 ? m1 : draw();
     const double R1 = log_between(1e-6, 1e-1), R2 = unit() < 0.3   ? R1

@@ -1,7 +1,8 @@
 #pragma once
-// `agarwal` beside a pressed curve, in words and as JSON.
+// Fits of `agarwal` and `shahin`, in words and as JSON.
 
 #include "fit/agarwal.hpp"
+#include "fit/shahin.hpp"
 
 #include <string>
 
@@ -9,5 +10,7 @@ namespace platen::app {
 
 std::string agarwal_words(const press::Curve&, const fit::AgarwalFit&);
 std::string agarwal_json(const press::Curve&, const fit::AgarwalFit&);
+std::string shahin_words(const press::Curve&, const fit::ShahinFit&);
+std::string shahin_json(const press::Curve&, const fit::ShahinFit&);
 
 } // namespace platen::app
