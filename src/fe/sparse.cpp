@@ -9,8 +9,7 @@
 #include <string>
 #include <type_traits>
 
-// The presses run side by side, one thread each.
-extern "C" void openblas_set_num_threads(int) __attribute__((weak));
+extern "C" void openblas_set_num_threads(int); // in no header of Debian's run-time package
 
 namespace platen::fe {
 
@@ -51,7 +50,7 @@ template <class Number>
 DirectSolverOf<Number>::DirectSolverOf(int unknowns, std::span<const std::vector<int>> element_unknowns,
                                        Symmetry symmetry)
     : mumps(std::make_unique<Mumps>()) {
-  if (openblas_set_num_threads) openblas_set_num_threads(1);
+  openblas_set_num_threads(1); // presses run side by side, one thread each
   Mumps& m = *mumps;
   std::size_t entries = 0, largest = 0;
   for (const auto& element : element_unknowns) {
