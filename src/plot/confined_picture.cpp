@@ -15,6 +15,8 @@
 namespace platen::plot {
 namespace {
 
+constexpr const char* names[] = {"x", "y", "z"}; ///< of the planes
+
 using fe::Vector3, fe::operator+, fe::operator-, fe::operator*;
 using press::SpatialSnapshot;
 
@@ -121,6 +123,17 @@ Scene page(const std::string& title, double width, double height) {
   return scene;
 }
 
+/// What the planes have moved; each by itself where they do not count time in one overlap.
+std::string overlaps_text(const SpatialSnapshot& s) {
+  if (s.plane[2] > 0 && std::abs(1 - s.plane[2] - s.delta_bar) < 1e-9)
+    return fmt::format("δ/R₀ = {:.4g}", s.delta_bar);
+  std::string text;
+  for (const int axis : {2, 0, 1})
+    if (s.plane[axis] > 0)
+      text += fmt::format("{}δ{}/R₀ = {:.4g}", text.empty() ? "" : ", ", names[axis], 1 - s.plane[axis]);
+  return text;
+}
+
 } // namespace
 
 void particle_picture(const std::vector<SpatialSnapshot>& snapshots, const std::string& title,
@@ -135,12 +148,8 @@ void particle_picture(const std::vector<SpatialSnapshot>& snapshots, const std::
   scene.description = title + ": the particle with an octant taken out";
   for (std::size_t i = 0; i < snapshots.size(); ++i) {
     const double x = margin + panel * (static_cast<double>(i) + 0.5);
-    scene.items.push_back(Text{{x, title_height - 4},
-                               fmt::format("δ/R₀ = {:.4g}", snapshots[i].delta_bar),
-                               14,
-                               Anchor::middle,
-                               ink,
-                               false});
+    scene.items.push_back(
+        Text{{x, title_height - 4}, overlaps_text(snapshots[i]), 14, Anchor::middle, ink, false});
     add_particle(scene, snapshots[i], range, {x, title_height + panel / 2}, 0.43 * panel);
   }
   (void)colour_bar(scene, {margin, title_height + panel + 20}, "plastic Hencky strain √(2/3 e:e)", range);
@@ -191,7 +200,6 @@ void faces_picture(const std::vector<SpatialSnapshot>& snapshots, double sigma_r
           scene.items.push_back(polygon);
         }
       }
-      constexpr const char* names[] = {"x", "y", "z"};
       scene.items.push_back(
           Line{{at(-1.1, -1.1), at(1.1, -1.1), at(1.1, 1.1), at(-1.1, 1.1), at(-1.1, -1.1)}, ink, 1});
       for (const double tick_at : {-1.0, 0.0, 1.0}) {
@@ -216,7 +224,7 @@ void faces_picture(const std::vector<SpatialSnapshot>& snapshots, double sigma_r
                                  ink,
                                  false});
       scene.items.push_back(Text{{middle.x, at(0, 1.1).y - 6},
-                                 fmt::format("plane {}, δ/R₀ = {:.4g}", names[axis], s.delta_bar),
+                                 fmt::format("plane {}, {}", names[axis], overlaps_text(s)),
                                  13,
                                  Anchor::middle,
                                  ink,

@@ -122,8 +122,10 @@ template <class Run> class PressByOverlap {
   }
 
   void fail(double delta_bar) {
-    result.failure = fmt::format("stopped at delta_bar = {:.5g}: {}, also in steps of {:.0e}", delta_bar, why,
-                                 rule.smallest);
+    const bool own_way = run.row().delta_bar != delta_bar && delta_bar > 0; // of planes with a history each
+    result.failure =
+        fmt::format("stopped at {} = {:.5g}: {}, also in steps of {:.0e}",
+                    own_way ? "a way of the planes of delta/R0" : "delta_bar", delta_bar, why, rule.smallest);
     *result.failure += limit_load();
   }
 

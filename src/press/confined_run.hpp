@@ -44,7 +44,7 @@ class ConfinedRun {
 
   const CurvePoint& row() const { return now.row; }
   CurvePoint row(Branch, int branch_id) const;
-  double delta_bar() const { return now.time; }
+  double delta_bar() const { return now.time; } ///< of a triaxial press the way gone, path_length()
   const std::vector<double>& turns() const { return motion.turns; }
   void keep(Result&, Branch) const;
   Statistics statistics() const;

@@ -1,6 +1,9 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "material/card.hpp"
+#include "plot/confined_picture.hpp"
 #include "plot/curve_picture.hpp"
+#include "plot/energy_picture.hpp"
 #include "plot/field_map.hpp"
 #include "plot/local_picture.hpp"
 #include "plot/zone_map.hpp"
@@ -177,6 +180,55 @@ TEST_F(Pictures, OfALocalPressNameLoadsAndUnits) {
   has("zones.svg", "750 mN, a = 500 µm");
   has("zones.svg", "from 0.0002");
   EXPECT_EQ(files(), 4u);
+}
+
+/// A coarse ball between planes that move one after the other.
+press::ConfinedResult squeezed() {
+  press::Case c;
+  c.experiment = "triaxial";
+  c.material = material::read_card("von-mises-100").material;
+  c.radius_m = 1e-3;
+  c.elements = 200;
+  c.delta_bar_z = {0.02, 0.02};
+  c.delta_bar_x = {0, 0.01};
+  c.fields_at = {0.02, 0.03};
+  return press::confined(c);
+}
+
+TEST_F(Pictures, OfAConfinedPressNamePlanesAndOverlaps) {
+  const auto result = squeezed();
+  ASSERT_EQ(result.spatial.size(), 2U);
+  plot::particle_picture(result.spatial, "ball", folder_ / "particle.svg");
+  plot::faces_picture(result.spatial, 200e6, "ball", folder_ / "faces.svg");
+  for (const char* name : {"particle.svg", "faces.svg"}) {
+    const std::string svg = core::read_file(folder_ / name);
+    for (const char* words : {"δ/R₀ = 0.02<", "δz/R₀ = 0.02, δx/R₀ = 0.01<"})
+      EXPECT_NE(svg.find(words), std::string::npos) << name << ' ' << words;
+  }
+  const std::string faces = core::read_file(folder_ / "faces.svg");
+  for (const char* words : {"plane z, ", "plane x, ", "contact pressure/σ_ref", "x/R₀"})
+    EXPECT_NE(faces.find(words), std::string::npos) << words;
+  EXPECT_EQ(faces.find("plane y, "), std::string::npos); // there is none
+}
+
+TEST_F(Pictures, OfEnergiesNameRegimesAndUnits) {
+  if (!has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
+  auto c = curve();
+  for (auto& point : c.points) {
+    const double x = point.delta_bar;
+    point.work_J = x * x;
+    point.dissipated_J = x > 0.05 ? 0.8 * (x - 0.05) * x : 0;
+    point.stored_J = point.work_J - point.dissipated_J;
+    point.mean_pressure_Pa = 1e8 * (x < 0.1 ? x * 10 : 1.1 - x);
+  }
+  plot::energy_picture(c, folder_ / "energy.svg");
+  const std::string svg = core::read_file(folder_ / "energy.svg");
+  for (const char* words :
+       {"work", "stored", "dissipated", "elastic-plastic", "energy of one side", "mean pressure", "δ/R"})
+    EXPECT_NE(svg.find(words), std::string::npos) << words;
+  for (auto& point : c.points) point.work_J = 0;
+  EXPECT_THROW(plot::energy_picture(c, folder_ / "none.svg"), core::InvalidInput);
+  EXPECT_EQ(files(), 1U);
 }
 
 TEST_F(Pictures, WithoutGnuplotOneSentenceSaysWhatToInstall) {
