@@ -118,20 +118,9 @@ bool AxisymmetricSolid::deform(std::span<const double> u) {
       const double b_rr = rr * (rr * c_rr + rz * c_rz) + rz * (rr * c_rz + rz * c_zz);
       const double b_rz = zr * (rr * c_rr + rz * c_rz) + zz * (rr * c_rz + rz * c_zz);
       const double b_zz = zr * (zr * c_rr + zz * c_rz) + zz * (zr * c_rz + zz * c_zz);
-      const double mean = (b_rr + b_zz) / 2, half = (b_rr - b_zz) / 2, radius = std::hypot(half, b_rz);
-      k.b_1 = mean + radius;
-      k.b_2 = mean - radius;
-      // Half-angle of (half, b_rz), without trigonometry and without cancellation.
-      if (radius > 0) {
-        if (half >= 0) {
-          k.cos = std::sqrt((1 + half / radius) / 2);
-          k.sin = b_rz / (2 * radius * k.cos);
-        } else {
-          k.sin = std::copysign(std::sqrt((1 - half / radius) / 2), b_rz);
-          k.cos = b_rz / (2 * radius * k.sin);
-        }
-      } else k.cos = 1, k.sin = 0;
-      eps_trial[4 * e + g] = {std::log(k.b_1) / 2, std::log(k.b_2) / 2, std::log(tt * tt * c_tt) / 2};
+      k.b = plane_spectral(b_rr, b_zz, b_rz);
+      eps_trial[4 * e + g] = {std::log(k.b.value_1) / 2, std::log(k.b.value_2) / 2,
+                              std::log(tt * tt * c_tt) / 2};
       phi_n[4 * e + g] = n.phi;
     }
   }
@@ -151,10 +140,10 @@ void AxisymmetricSolid::assemble_forces() {
     for (int g = 0; g < 4; ++g) {
       const Kinematics& k = kinematics[4 * e + g];
       const auto& s = updates[4 * e + g].sigma;
-      const double w = volume[4 * e + g] * element_J[e], cc = k.cos * k.cos, ss = k.sin * k.sin;
+      const double w = volume[4 * e + g] * element_J[e];
       const double spherical = volume[4 * e + g] * k.J * P_over_v - w * (s[0] + s[1] + s[2]) / 3;
-      const double rr = w * (s[0] * cc + s[1] * ss) + spherical, zz = w * (s[0] * ss + s[1] * cc) + spherical;
-      const double rz = w * (s[0] - s[1]) * k.cos * k.sin, tt = w * s[2] + spherical;
+      const auto [rr, zz, rz] = compose(w * s[0] + spherical, w * s[1] + spherical, k.b);
+      const double tt = w * s[2] + spherical;
       for (int a = 0; a < 4; ++a) {
         force[2 * quad[a]] += rr * k.N_r[a] + rz * k.N_z[a] + tt * k.N_over_r[a];
         force[2 * quad[a] + 1] += rz * k.N_r[a] + zz * k.N_z[a];
@@ -192,10 +181,11 @@ void AxisymmetricSolid::assemble_tangent(int e) {
     const double w = volume[4 * e + g];
     double l11[8], l12[8], l21[8], l22[8], ltt[8];
     for (int a = 0; a < 4; ++a) {
-      const double g1 = k.cos * k.N_r[a] + k.sin * k.N_z[a], g2 = k.cos * k.N_z[a] - k.sin * k.N_r[a];
-      l11[2 * a] = k.cos * g1, l12[2 * a] = k.cos * g2, l21[2 * a] = -k.sin * g1, l22[2 * a] = -k.sin * g2;
-      l11[2 * a + 1] = k.sin * g1, l12[2 * a + 1] = k.sin * g2;
-      l21[2 * a + 1] = k.cos * g1, l22[2 * a + 1] = k.cos * g2;
+      const double g1 = k.b.cos * k.N_r[a] + k.b.sin * k.N_z[a], g2 = k.b.cos * k.N_z[a] - k.b.sin * k.N_r[a];
+      l11[2 * a] = k.b.cos * g1, l12[2 * a] = k.b.cos * g2, l21[2 * a] = -k.b.sin * g1,
+              l22[2 * a] = -k.b.sin * g2;
+      l11[2 * a + 1] = k.b.sin * g1, l12[2 * a + 1] = k.b.sin * g2;
+      l21[2 * a + 1] = k.b.cos * g1, l22[2 * a + 1] = k.b.cos * g2;
       ltt[2 * a] = k.N_over_r[a], ltt[2 * a + 1] = 0;
     }
     double tau[3], C[3][3];
@@ -205,10 +195,11 @@ void AxisymmetricSolid::assemble_tangent(int e) {
     }
     const double tau_m = (tau[0] + tau[1] + tau[2]) / 3;
     // (tau_1 - tau_2)/(b_1 - b_2), or its limit for equal stretches.
-    const double spread = k.b_1 - k.b_2;
-    const double slope = spread > 1e-7 * k.b_1 ? (tau[0] - tau[1]) / spread
-                                               : (C[0][0] - C[0][1] - C[1][0] + C[1][1]) / (4 * k.b_1);
-    const double beta_1 = slope * k.b_2, beta_2 = slope * k.b_1;
+    const double spread = k.b.value_1 - k.b.value_2;
+    const double slope = spread > 1e-7 * k.b.value_1
+                             ? (tau[0] - tau[1]) / spread
+                             : (C[0][0] - C[0][1] - C[1][0] + C[1][1]) / (4 * k.b.value_1);
+    const double beta_1 = slope * k.b.value_2, beta_2 = slope * k.b.value_1;
     const double dv = w * k.J / v * P; // weight of the second derivative of ln J_bar
     const double m = tau_m - dv;       // tr(l l) of the mean stress, less that of the second derivative
     auto *const L = &left[9 * g], *const R = &right[9 * g];
@@ -243,8 +234,7 @@ PointState AxisymmetricSolid::updated(int point) const {
   const Kinematics& k = kinematics[point];
   const auto& eps = updates[point].eps;
   const double b_1 = std::exp(2 * eps[0]), b_2 = std::exp(2 * eps[1]), b_t = std::exp(2 * eps[2]);
-  const double rr = b_1 * k.cos * k.cos + b_2 * k.sin * k.sin, zz = b_1 * k.sin * k.sin + b_2 * k.cos * k.cos;
-  const double rz = (b_1 - b_2) * k.cos * k.sin;
+  const auto [rr, zz, rz] = compose(b_1, b_2, k.b);
   // C_p^{-1} = F^{-1} b_e F^{-T}
   const auto& [F_rr, F_rz, F_zr, F_zz, F_tt] = k.F;
   const double det = F_rr * F_zz - F_rz * F_zr;
@@ -264,8 +254,8 @@ void AxisymmetricSolid::commit() {
 std::array<double, 4> AxisymmetricSolid::cauchy(int point) const {
   const Kinematics& k = kinematics[point];
   const auto& s = updates[point].sigma;
-  const double cc = k.cos * k.cos, ss = k.sin * k.sin;
-  return {s[0] * cc + s[1] * ss, s[0] * ss + s[1] * cc, (s[0] - s[1]) * k.cos * k.sin, s[2]};
+  const auto [rr, zz, rz] = compose(s[0], s[1], k.b);
+  return {rr, zz, rz, s[2]};
 }
 
 } // namespace platen::fe

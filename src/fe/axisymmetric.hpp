@@ -7,6 +7,7 @@
 // element balances energy by itself. Gauss points keep C_p^{-1}, so that b_e^tr = F_bar C_p^{-1} F_bar^T.
 
 #include "fe/quarter_disc.hpp"
+#include "fe/vector3.hpp"
 #include "material/update.hpp"
 
 #include <array>
@@ -72,8 +73,7 @@ class AxisymmetricSolid {
     std::array<double, 4> N_r, N_z, N_over_r; ///< spatial gradients
     std::array<double, 5> F;                  ///< F_bar: rr, rz, zr, zz, tt
     double J;                                 ///< det F, not averaged
-    double cos, sin;                          ///< of the first principal axis
-    double b_1, b_2;                          ///< in-plane eigenvalues of b_e^tr
+    PlaneSpectral b;                          ///< b_e^tr in the section
   };
 
   bool deform(std::span<const double> u);

@@ -1,5 +1,5 @@
 #pragma once
-// Vectors and symmetric tensors in space.
+// Vectors and symmetric tensors in space, symmetric tensors in a plane.
 
 #include <array>
 #include <cmath>
@@ -71,6 +71,33 @@ inline Symmetric3 compose(const std::array<double, 3>& value, const std::array<V
     s[3] += value[A] * n[0] * n[1], s[4] += value[A] * n[1] * n[2], s[5] += value[A] * n[2] * n[0];
   }
   return s;
+}
+
+/// Eigenvalues of a symmetric tensor in a plane, the larger one first, and the direction of its axis.
+struct PlaneSpectral {
+  double value_1, value_2;
+  double cos, sin;
+};
+
+/// Half-angle of (half, xy), without trigonometry and without cancellation.
+inline PlaneSpectral plane_spectral(double xx, double yy, double xy) {
+  const double mean = (xx + yy) / 2, half = (xx - yy) / 2, radius = std::hypot(half, xy);
+  PlaneSpectral s{mean + radius, mean - radius, 1, 0};
+  if (!(radius > 0)) return s;
+  if (half >= 0) {
+    s.cos = std::sqrt((1 + half / radius) / 2);
+    s.sin = xy / (2 * radius * s.cos);
+  } else {
+    s.sin = std::copysign(std::sqrt((1 - half / radius) / 2), xy);
+    s.cos = xy / (2 * radius * s.sin);
+  }
+  return s;
+}
+
+/// xx, yy, xy of the symmetric tensor with the eigenvalues `first` and `second` on the axes of s.
+inline std::array<double, 3> compose(double first, double second, const PlaneSpectral& s) {
+  const double cc = s.cos * s.cos, ss = s.sin * s.sin;
+  return {first * cc + second * ss, first * ss + second * cc, (first - second) * s.cos * s.sin};
 }
 
 } // namespace platen::fe

@@ -49,10 +49,15 @@ struct InvariantResponse {
   Zone zone = Zone::elastic;
   double p = 0, q = 0;         ///< Cauchy (Pa)
   double eps_v = 0, eps_q = 0; ///< elastic strain
+  double exp_v = 1;            ///< e^{-eps_v}
   double phi = 0;
   double p_v = 0, p_q = 0, q_v = 0, q_q = 0; ///< tangent (Pa)
   int iterations = 0;
 };
+
+/// Relative residual of the local equations at which a return counts as converged. Newton is quadratic there,
+/// so that the state is exact to rounding.
+inline constexpr double relative_return_tolerance = 1e-12;
 
 namespace detail {
 
@@ -116,7 +121,8 @@ struct Inverse3 {
   }
   std::array<double, 3> solve(const std::array<double, 3>& b) const {
     std::array<double, 3> x;
-    for (int i = 0; i < 3; ++i) x[i] = (c[i][0] * b[0] + c[i][1] * b[1] + c[i][2] * b[2]) / det;
+    const double per_det = 1 / det;
+    for (int i = 0; i < 3; ++i) x[i] = (c[i][0] * b[0] + c[i][1] * b[1] + c[i][2] * b[2]) * per_det;
     return x;
   }
 };
@@ -138,7 +144,8 @@ inline double volumetric_strain(double p, double K) {
 
 /// Plastic increments of the closest-point return at frozen phi, by bisection in s.
 template <PlasticModel M>
-std::array<double, 3> frozen_return(const M& model, TrialInvariants trial, double phi, int bisections) {
+[[gnu::noinline]] std::array<double, 3> frozen_return(const M& model, TrialInvariants trial, double phi,
+                                                      int bisections) {
   const auto [m, surface] = properties(model, phi);
   double lo = surface.s_min(), hi = surface.s_max();
   std::array<double, 3> x{};
@@ -156,7 +163,8 @@ std::array<double, 3> frozen_return(const M& model, TrialInvariants trial, doubl
 
 /// Start values for Newton from a bracket in phi; false where there is none.
 template <PlasticModel M>
-bool bracketed_start(const M& model, TrialInvariants trial, double phi_n, std::array<double, 3>& x) {
+[[gnu::noinline]] bool bracketed_start(const M& model, TrialInvariants trial, double phi_n,
+                                       std::array<double, 3>& x) {
   constexpr PhiRate rate = M::phi_rate;
   const auto gap = [&](double phi) {
     x = frozen_return(model, trial, phi, 50);
@@ -200,7 +208,7 @@ inline double densification_margin(const Return& e, double det, TrialInvariants 
 
 /// The same at the beginning of plastic flow, on the surface at phi_n near the place s.
 template <PlasticModel M>
-double densification_margin(const M& model, double phi_n, double s, double stress_unit) {
+[[gnu::noinline]] double densification_margin(const M& model, double phi_n, double s, double stress_unit) {
   const auto [m, surface] = properties(model, phi_n);
   const double at = std::min(std::max(s, surface.s_min()), surface.s_max());
   const SurfacePoint f = surface.at(at);
@@ -210,11 +218,49 @@ double densification_margin(const M& model, double phi_n, double s, double stres
   return densification_margin(e, Inverse3(e.J).det, yielding, 1 / stress_unit);
 }
 
-} // namespace detail
+/// Newton with line search from x, to a residual of `rounding`: whether it found a root that is admissible.
+template <PlasticModel M>
+bool solve_return(const M& model, TrialInvariants trial, double phi_n, double stress_unit, double rounding,
+                  std::array<double, 3> x, Return& e, int& iterations) {
+  const double tolerance = rounding * rounding, floor = 1e4 * tolerance;
+  std::array<double, 3> dx{};
+  double fraction = 0, before = std::numeric_limits<double>::infinity();
+  for (int steps = 0, cuts = 0;;) {
+    const std::array at{x[0] + fraction * dx[0], x[1] + fraction * dx[1], x[2] + fraction * dx[2]};
+    e = evaluate_return(model, trial, phi_n, stress_unit, at);
+    const double merit = e.merit();
+    if (!(merit < before * (1 - 1e-4 * fraction))) {
+      if (++cuts < 8) {
+        fraction /= 2;
+        continue;
+      }
+      if (before <= floor) break; // at the floor of rounding
+      return false;
+    }
+    if (merit <= tolerance) break;
+    if (steps == 25) {
+      if (merit <= floor) break;
+      return false;
+    }
+    ++steps, ++iterations, cuts = 0;
+    x = at;
+    before = merit;
+    dx = Inverse3(e.J).solve({-e.r[0], -e.r[1], -e.r[2]});
+    // The curve goes on, mirrored, behind its ends on the axis q = 0: pass an end by a tenth of its
+    // distance, enough to converge on it, too little to find roots behind it.
+    fraction = 1;
+    if (x[0] + dx[0] < e.s_min) fraction = std::min(fraction, 1.1 * (e.s_min - x[0]) / dx[0]);
+    if (x[0] + dx[0] > e.s_max) fraction = std::min(fraction, 1.1 * (e.s_max - x[0]) / dx[0]);
+    if (!(fraction > 0)) return false;
+  }
+  // A root is admissible if it lies on the curve proper and the plastic strain points outward; a trial that
+  // is outside by rounding alone does not flow.
+  const double end = 1e-9 * (e.s_max - e.s_min);
+  const double dv = trial.eps_v - e.eps_v, dw = trial.eps_q - e.eps_q;
+  return e.s > e.s_min - end && e.s < e.s_max + end && e.at.n_p * dv + e.at.n_q * dw > -rounding;
+}
 
-/// Relative residual of the local equations at which a return counts as converged. Newton is quadratic there,
-/// so that the state is exact to rounding.
-inline constexpr double relative_return_tolerance = 1e-12;
+} // namespace detail
 
 /// Elastic response of a trial strain.
 inline InvariantResponse elastic_response(const Moduli& m, TrialInvariants trial, double phi) {
@@ -222,6 +268,7 @@ inline InvariantResponse elastic_response(const Moduli& m, TrialInvariants trial
   InvariantResponse u;
   u.eps_v = trial.eps_v;
   u.eps_q = trial.eps_q;
+  u.exp_v = exp_v;
   u.phi = phi;
   u.p = m.K * trial.eps_v * exp_v;
   u.q = 3 * m.G * trial.eps_q * exp_v;
@@ -232,82 +279,61 @@ inline InvariantResponse elastic_response(const Moduli& m, TrialInvariants trial
 }
 
 /// Backward Euler update of one material point. Pure; status `refused` leaves the rest unspecified.
+/// Flattened: what the surfaces and moduli return stays in registers, and what is not needed of it is not
+/// computed.
 template <PlasticModel M>
-[[nodiscard]] InvariantResponse integrate(const M& model, TrialInvariants trial, double phi_n) {
+[[nodiscard, gnu::flatten]] InvariantResponse integrate(const M& model, TrialInvariants trial, double phi_n) {
   const auto [m_n, surface_n] = properties(model, phi_n);
   InvariantResponse u = elastic_response(m_n, trial, phi_n);
   if (surface_n.contains(u.p, u.q)) return u;
   u.status = Status::refused;
   if (!std::isfinite(u.p) || !std::isfinite(u.q)) return u;
 
+  // The first guess: the model's, and one Newton step from it towards the closest point of the surface at
+  // phi_n, along the elastic tangent at the trial.
+  double s_n = surface_n.first_guess(u.p, u.q, m_n);
+  SurfacePoint f_n = surface_n.at(s_n);
+  double dv_n = (u.p - f_n.p) / u.p_v, dw_n = (u.q - f_n.q) / u.q_q;
+  const double gap = f_n.n_q * dv_n - f_n.n_p * dw_n;
+  const double gap_s =
+      f_n.n_q_s * dv_n - f_n.n_p_s * dw_n - f_n.n_q * f_n.p_s / u.p_v + f_n.n_p * f_n.q_s / u.q_q;
+  const double closer = s_n - gap / gap_s;
+  if (closer > surface_n.s_min() && closer < surface_n.s_max()) {
+    s_n = closer;
+    f_n = surface_n.at(s_n);
+    dv_n = (u.p - f_n.p) / u.p_v;
+  }
+  const std::array guess{s_n, dv_n, trial.eps_q - (1 - dv_n) * f_n.q / u.q_q};
+
   const double stress_unit = 3 * m_n.G;
-  const double strain_unit = std::abs(trial.eps_v) + trial.eps_q;
-  const double tolerance = relative_return_tolerance * strain_unit * relative_return_tolerance * strain_unit;
-  const auto newton = [&](std::array<double, 3> x, detail::Return& e) {
-    e = detail::evaluate_return(model, trial, phi_n, stress_unit, x);
-    double merit = e.merit();
-    for (int i = 0; i < 25; ++i, ++u.iterations) {
-      if (merit <= tolerance) return true;
-      const auto dx = detail::Inverse3(e.J).solve({-e.r[0], -e.r[1], -e.r[2]});
-      double fraction = 1;
-      const auto trial_point = [&] {
-        return std::array<double, 3>{x[0] + fraction * dx[0], x[1] + fraction * dx[1],
-                                     x[2] + fraction * dx[2]};
-      };
-      // The curve goes on, mirrored, behind its ends on the axis q = 0: pass an end by a tenth of its
-      // distance, enough to converge on it, too little to find roots behind it.
-      if (x[0] + dx[0] < e.s_min) fraction = std::min(fraction, 1.1 * (e.s_min - x[0]) / dx[0]);
-      if (x[0] + dx[0] > e.s_max) fraction = std::min(fraction, 1.1 * (e.s_max - x[0]) / dx[0]);
-      if (!(fraction > 0)) return false;
-      const double start = merit;
-      for (int cut = 0;; ++cut, fraction /= 2) {
-        if (cut == 8) return start <= 1e4 * tolerance; // at the floor of rounding
-        e = detail::evaluate_return(model, trial, phi_n, stress_unit, trial_point());
-        merit = e.merit();
-        if (merit < start * (1 - 1e-4 * fraction)) break;
-      }
-      x = trial_point();
-    }
-    return merit <= 1e4 * tolerance;
-  };
-  detail::Return e;
-  const auto solved_from = [&](const std::array<double, 3>& x) {
-    if (!newton(x, e)) return false;
-    // A root is admissible if it lies on the curve proper and the plastic strain points outward; a trial that
-    // is outside by rounding alone does not flow.
-    const double rounding = relative_return_tolerance * strain_unit;
-    const double end = 1e-9 * (e.s_max - e.s_min);
-    const double dv = trial.eps_v - e.eps_v, dw = trial.eps_q - e.eps_q;
-    return e.s > e.s_min - end && e.s < e.s_max + end && e.at.n_p * dv + e.at.n_q * dw > -rounding;
-  };
-  const auto guess = [&] {
-    const double s = surface_n.first_guess(u.p, u.q, m_n);
-    const SurfacePoint f = surface_n.at(s);
-    const double J_e = std::min(std::exp(trial.eps_v), 2.0);
-    return std::array{s, trial.eps_v - f.p / m_n.K, trial.eps_q - f.q * J_e / (3 * m_n.G)};
-  };
+  const double rounding = relative_return_tolerance * (std::abs(trial.eps_v) + trial.eps_q);
   // Where the first densification outruns the surface there is no root nearby; one far away is no state that
   // this strain leads to.
-  const auto start = guess();
   const auto outrun = [&] {
-    return surface_n.zone(start[0]) == Zone::compaction &&
-           detail::densification_margin(model, phi_n, start[0], stress_unit) <= 0;
+    return surface_n.zone(s_n) == Zone::compaction &&
+           detail::densification_margin(model, phi_n, s_n, stress_unit) <= 0;
   };
+  detail::Return e;
   u.status = Status::plastic;
-  if (!solved_from(start) && !solved_from(detail::frozen_return(model, trial, phi_n, 30))) {
-    u.status = Status::bracketed;
-    std::array<double, 3> x;
-    if (outrun()) return u.status = Status::unstable, u;
-    if (!detail::bracketed_start(model, trial, phi_n, x) || !solved_from(x))
-      return u.status = Status::refused, u;
+  std::array<double, 3> start = guess;
+  for (int attempt = 0;
+       !detail::solve_return(model, trial, phi_n, stress_unit, rounding, start, e, u.iterations); ++attempt) {
+    if (attempt == 0) start = detail::frozen_return(model, trial, phi_n, 30);
+    else if (attempt == 2) return u.status = Status::refused, u;
+    else {
+      u.status = Status::bracketed;
+      if (outrun()) return u.status = Status::unstable, u;
+      if (!detail::bracketed_start(model, trial, phi_n, start)) return u.status = Status::refused, u;
+    }
   }
-  if (e.zone == Zone::compaction && std::abs(trial.eps_v - e.eps_v) > 2 * std::abs(start[1]) && outrun())
+  if (e.zone == Zone::compaction && std::abs(trial.eps_v - e.eps_v) > 2 * std::abs(guess[1]) && outrun())
     return u.status = Status::unstable, u;
 
-  u.p = e.moduli.K * e.eps_v * e.exp_v;
-  u.q = 3 * e.moduli.G * e.eps_q * e.exp_v;
+  u.p = e.at.p;
+  u.q = e.at.q;
   u.eps_v = e.eps_v;
   u.eps_q = e.eps_q;
+  u.exp_v = e.exp_v;
   u.phi = e.phi;
 
   // d(s, dv, dw) = -J^-1 dr, then the stress along the surface.

@@ -20,17 +20,19 @@ void to_principal(const std::array<double, 3>& eps_trial, TrialInvariants trial,
                   PointUpdate& out) {
   const double mean = trial.eps_v / 3;
   std::array<double, 3> m{};
-  double spin = u.q_q; // limit of q/eps_q
+  double spin = 2.0 / 3 * u.q_q; // of the limit of q/eps_q
   if (trial.eps_q > 1e-14) {
-    for (int A = 0; A < 3; ++A) m[A] = (eps_trial[A] - mean) * 2 / (3 * trial.eps_q);
-    spin = u.q / trial.eps_q;
+    const double per_eps_q = 1 / trial.eps_q;
+    for (int A = 0; A < 3; ++A) m[A] = 2.0 / 3 * (eps_trial[A] - mean) * per_eps_q;
+    spin = 2.0 / 3 * u.q * per_eps_q;
   }
+  // D = (p_v + p_q m_B) + m_A (q_v + q_q m_B) + spin (delta_AB - 1/3 - 3/2 m_A m_B)
+  const double constant = u.p_v - spin / 3, product = u.q_q - 1.5 * spin;
   for (int A = 0; A < 3; ++A) {
     out.sigma[A] = u.p + u.q * m[A];
     out.eps[A] = u.eps_v / 3 + 1.5 * u.eps_q * m[A];
-    for (int B = 0; B < 3; ++B)
-      out.D[A][B] = u.p_v + u.p_q * m[B] + m[A] * (u.q_v + u.q_q * m[B]) +
-                    2.0 / 3 * spin * ((A == B) - 1.0 / 3 - 1.5 * m[A] * m[B]);
+    for (int B = 0; B < 3; ++B) out.D[A][B] = constant + u.p_q * m[B] + m[A] * (u.q_v + product * m[B]);
+    out.D[A][A] += spin;
   }
 }
 
@@ -42,7 +44,7 @@ void finish(const std::array<double, 3>& eps_trial, TrialInvariants trial, doubl
   out.phi = u.phi;
   out.dv = trial.eps_v - u.eps_v;
   out.dw = trial.eps_q - u.eps_q;
-  out.plastic_work = std::exp(u.eps_v) * (u.p * out.dv + u.q * out.dw);
+  out.plastic_work = (u.p * out.dv + u.q * out.dw) / u.exp_v;
   out.status = u.status;
   out.zone = u.zone;
 }
