@@ -1,0 +1,44 @@
+#include "study/submit.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+namespace platen::study {
+namespace {
+
+/// For a shell.
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+std::string quoted(const std::filesystem::path& path) {
+  return quoted(std::filesystem::absolute(path).lexically_normal().string());
+}
+
+} // namespace
+
+std::string batch_script(const Job& job) {
+  std::string name;
+  for (const char c : job.study) name += std::isalnum(static_cast<unsigned char>(c)) || c == '.' ? c : '-';
+  std::string script =
+      fmt::format("#!/bin/bash\n"
+                  "# Each task presses runs that no other has claimed; more tasks may join, and a "
+                  "task that is lost costs one run.\n"
+                  "#SBATCH --job-name=platen-{}\n"
+                  "#SBATCH --array=1-{}\n"
+                  "#SBATCH --ntasks=1\n"
+                  "#SBATCH --cpus-per-task=1\n"
+                  "#SBATCH --output=\"{}\"\n",
+                  name, job.tasks, (std::filesystem::absolute(job.store) / "slurm-%A_%a.log").string());
+  for (const auto& option : job.options) script += fmt::format("#SBATCH {}\n", option);
+  script += "export OPENBLAS_NUM_THREADS=1\n";
+  if (const char* catalogue = std::getenv("PLATEN_CATALOGUE"); catalogue && *catalogue)
+    script += fmt::format("export PLATEN_CATALOGUE={}\n", quoted(std::filesystem::path(catalogue)));
+  script += fmt::format("exec {} study run {} --store {} --workers 1\n", quoted(job.program),
+                        quoted(job.card), quoted(job.store));
+  return script;
+}
+
+} // namespace platen::study
