@@ -109,9 +109,9 @@ void export_table(const Options& o) {
 void merge(const Options& o) {
   const auto s = study::read_study(o.card);
   auto store = store_of(s, o);
-  store.open_for_writing(o.old());
-  int copied = 0;
-  for (const auto& other : o.others) copied += store.merge({other, s.name});
+  std::vector<study::Store> others;
+  for (const auto& other : o.others) others.emplace_back(other, s.name);
+  const int copied = store.merge(others, o.old());
   fmt::print("{} runs copied to {}\n", copied, store.folder().string());
 }
 
@@ -191,7 +191,7 @@ void add_study(CLI::App& program) {
               "The store and the card must be in a folder that all nodes see.");
   auto* join = add("merge", "copy runs of other stores into this one", merge);
   join->add_option("--from", o->others, "the other stores")->required()->type_name("DIR");
-  add_old(join);
+  join->add_flag("--keep", o->keep, "count the runs of another engine");
   join->footer("Example: platen study merge examples/study.toml --store out/all --from out/mine out/theirs");
   add_study_check(*command);
   command->footer("Example: platen study run examples/study.toml");

@@ -25,7 +25,7 @@ study::Sheet sheet_of(const study::Study& s) {
   for (const auto& factor : s.factors) sheet.columns.push_back(factor.name);
   for (const auto& derived : study::derived_quantities()) sheet.columns.push_back(derived.name);
   for (const auto& run : s.runs) {
-    std::vector<study::Cell> row = {static_cast<double>(sheet.rows.size() + 1)};
+    std::vector<study::Cell> row = {static_cast<std::int64_t>(sheet.rows.size() + 1)};
     for (const auto& input : run.inputs)
       std::visit([&](const auto& level) { row.emplace_back(level); }, input);
     for (const auto& derived : study::derived_quantities()) row.emplace_back(derived.of(run.press_case));

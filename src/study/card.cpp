@@ -315,7 +315,7 @@ Study read_study(std::string_view path) {
         "{}: the design is empty; its table has no row, or none that is as [design] only says", card.file));
   for (const auto& point : points) {
     try {
-      study.runs.push_back({point, case_of(base, study.factors, point)});
+      study.runs.push_back({point, case_of(base, study.factors, point), 0});
     } catch (const core::InvalidInput& problem) {
       throw core::InvalidInput(
           fmt::format("{}: the run with {}: {}", card.file, words_of(study.factors, point), problem.what()));

@@ -14,6 +14,7 @@ namespace platen::study {
 struct Run {
   Point inputs; ///< the level of each factor
   press::Case press_case;
+  double stop_at = 0; ///< delta/R0 behind which the press stops, unfinished; 0: nowhere
 };
 
 struct Study {

@@ -38,9 +38,12 @@ std::vector<double> overlaps(const std::vector<double>& delta_bar, const std::ve
                              press::Branch branch, double step) {
   std::vector<double> grid;
   if (branch == press::Branch::loading) {
-    const double end = delta_bar.back() * (1 + 1e-9);
-    for (int i = 1; i * step <= end; ++i)
-      if (const double x = std::min(i * step, delta_bar.back()); x >= delta_bar.front()) grid.push_back(x);
+    const auto add = [&](double x) {
+      if (x >= delta_bar.front() && x <= delta_bar.back() * (1 + 1e-9))
+        grid.push_back(std::min(x, delta_bar.back()));
+    };
+    for (const double part : {0.125, 0.25, 0.5}) add(part * step);
+    for (int i = 1; i * step <= delta_bar.back() * (1 + 1e-9); ++i) add(i * step);
     return grid;
   }
   std::size_t first = 0, last = force.size() - 1; // the loaded stretch, with the first zero beside it

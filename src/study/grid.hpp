@@ -22,9 +22,10 @@ struct GridPoint {
   std::optional<Contact> x, y; ///< with walls, where there are forces on them of their own
 };
 
-/// A loading branch at the multiples of `step` (delta/R0) up to its end; an unloading or reloading branch at
-/// the ends of twenty even parts of the way on which it is loaded. Between the steps of the press by monotone
-/// cubics. A branch whose overlap turns (triaxial) stands there step by step.
+/// A loading branch at the multiples of `step` (delta/R0) up to its end, and at 1/8, 1/4 and 1/2 of it; an
+/// unloading or reloading branch at the ends of twenty even parts of the way on which it is loaded. Between
+/// the steps of the press by monotone cubics. A branch whose overlap turns (triaxial) stands there step by
+/// step.
 std::vector<GridPoint> on_grid(const press::Curve&, double step);
 
 /// Monotone cubic interpolation (Fritsch & Butland 1984): no overshoot. x ascends or descends strictly, and

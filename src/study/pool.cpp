@@ -56,10 +56,24 @@ std::vector<Rows> curves_of(const core::Csv& csv, std::size_t runs) {
 
 bool can_end_early(const press::Case& c) { return c.experiment != "local" && c.experiment != "triaxial"; }
 
-/// The largest difference over the largest value, column by column; a pool's loading rows may go on.
-Comparison compare(std::size_t run, const Rows& pool, const Rows& again, bool whole) {
+/// Two steps on, so that the curve up to there is interpolated as that of the whole press: a step is at most
+/// 4 % of the overlap, and at most step_max.
+double behind(double delta_bar, const press::Case& c) {
+  return delta_bar + std::min(0.09 * delta_bar, 2.02 * c.step_max);
+}
+
+/// The rows of a loading branch up to an overlap.
+Rows up_to(const Rows& rows, double delta_bar) {
+  Rows result;
+  for (const auto& row : rows)
+    if (row[0] == 0 && row[1] <= delta_bar * (1 + 1e-9)) result.push_back(row);
+  return result;
+}
+
+/// The largest difference over the largest value, column by column.
+Comparison compare(std::size_t run, const Rows& pool, const Rows& again) {
   Comparison result{run, {}, {}};
-  if (again.empty() || pool.size() < again.size() || (whole && pool.size() != again.size())) {
+  if (again.empty() || pool.size() != again.size()) {
     result.reason = fmt::format("{} rows pressed, {} in the pool", again.size(), pool.size());
     return result;
   }
@@ -107,13 +121,21 @@ Pool read_pool(const fs::path& folder) {
   return pool;
 }
 
-std::vector<std::size_t> cheapest(const Pool& pool, std::size_t count) {
+std::vector<std::size_t> two_cheap(const Pool& pool) {
   std::vector<std::size_t> done;
   for (std::size_t i = 0; i < pool.states.size(); ++i)
     if (pool.states[i] == "done") done.push_back(i);
-  std::stable_sort(done.begin(), done.end(), [&](auto a, auto b) { return pool.cpu_s[a] < pool.cpu_s[b]; });
-  done.resize(std::min(count, done.size()));
-  return done;
+  const auto lambda = [&](std::size_t i) {
+    return derived_quantities().front().of(pool.study.runs[i].press_case);
+  };
+  std::stable_sort(done.begin(), done.end(), [&](auto i, auto j) { return lambda(i) < lambda(j); });
+  const auto middle = done.begin() + static_cast<std::ptrdiff_t>(done.size() / 2);
+  std::vector<std::size_t> chosen;
+  for (const auto& [first, last] : {std::pair{done.begin(), middle}, {middle, done.end()}})
+    if (first != last)
+      chosen.push_back(
+          *std::min_element(first, last, [&](auto i, auto j) { return pool.cpu_s[i] < pool.cpu_s[j]; }));
+  return chosen;
 }
 
 std::vector<std::size_t> sample(const Pool& pool, double share, std::uint64_t seed) {
@@ -136,14 +158,9 @@ std::vector<Comparison> recompute(const Pool& pool, const std::vector<std::size_
   std::vector<bool> whole;
   for (const auto i : runs) {
     again.runs.push_back(pool.study.runs[i]);
-    auto& c = again.runs.back().press_case;
-    const bool shorter = until > 0 && can_end_early(c) && until < c.delta_bar_max;
-    if (shorter) {
-      c.delta_bar_max = until;
-      c.unload_from.clear();
-    }
-    c.fields_at.clear();
-    whole.push_back(!shorter);
+    auto& run = again.runs.back();
+    whole.push_back(!(until > 0 && can_end_early(run.press_case) && until < run.press_case.delta_bar_max));
+    if (!whole.back()) run.stop_at = behind(until, run.press_case);
   }
   Store store(scratch.path(), again.name);
   store.open_for_writing(OldRuns::ask);
@@ -159,7 +176,8 @@ std::vector<Comparison> recompute(const Pool& pool, const std::vector<std::size_
     else if (failed) comparisons.push_back({runs[i], {}, "the press failed: " + store.failure(key)});
     else if (pool_failed && whole[i])
       comparisons.push_back({runs[i], {}, "the press failed in the pool alone"});
-    else comparisons.push_back(compare(runs[i], pool.curves[runs[i]], curves[i], whole[i]));
+    else if (whole[i]) comparisons.push_back(compare(runs[i], pool.curves[runs[i]], curves[i]));
+    else comparisons.push_back(compare(runs[i], up_to(pool.curves[runs[i]], until), up_to(curves[i], until)));
   }
   return comparisons;
 }

@@ -26,8 +26,10 @@ struct Pool {
 /// InvalidInput where a file is missing, or does not belong to the study.
 Pool read_pool(const std::filesystem::path& folder);
 
-/// Runs of the pool, from 0: those that took least time, or a share of all at random (at least one).
-std::vector<std::size_t> cheapest(const Pool&, std::size_t count);
+/// Runs of the pool, from 0: of the half with the smaller lambda = E/((1 - nu^2) sigma_ref) and of the other
+/// half the run that took least time (the latter yields early).
+std::vector<std::size_t> two_cheap(const Pool&);
+/// A share of all at random, at least one.
 std::vector<std::size_t> sample(const Pool&, double share, std::uint64_t seed);
 
 struct Comparison {

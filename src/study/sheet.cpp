@@ -14,6 +14,7 @@ namespace platen::study {
 namespace {
 
 std::string text_of(const Cell& cell) {
+  if (const auto* i = std::get_if<std::int64_t>(&cell)) return std::to_string(*i);
   if (const auto* x = std::get_if<double>(&cell)) return core::number_text(*x);
   if (const auto* word = std::get_if<std::string>(&cell)) return *word;
   return {};
@@ -59,6 +60,7 @@ class Database {
 
  private:
   static int bind(sqlite3_stmt* statement, int place, const Cell& cell) {
+    if (const auto* i = std::get_if<std::int64_t>(&cell)) return sqlite3_bind_int64(statement, place, *i);
     if (const auto* x = std::get_if<double>(&cell)) return sqlite3_bind_double(statement, place, *x);
     if (const auto* word = std::get_if<std::string>(&cell))
       return sqlite3_bind_text(statement, place, word->data(), static_cast<int>(word->size()),

@@ -1,6 +1,7 @@
 #pragma once
 // A table of numbers and words, as CSV and as SQLite.
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -9,8 +10,8 @@
 
 namespace platen::study {
 
-/// Nothing, a number, a word.
-using Cell = std::variant<std::monostate, double, std::string>;
+/// Nothing, a whole number, a number, a word.
+using Cell = std::variant<std::monostate, std::int64_t, double, std::string>;
 
 struct Sheet {
   std::string name;                                       ///< of the table in SQLite

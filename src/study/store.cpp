@@ -259,30 +259,35 @@ std::string Store::failure(const std::string& key) const {
   return line;
 }
 
-int Store::merge(const Store& from) const {
-  const Head head = read_head(from.folder_);
-  if (head.engine == 0)
-    throw core::InvalidInput(
-        fmt::format("{} is no run store: there is no study.txt in it", from.folder_.string()));
-  for (const int engine : from.engines_)
-    if (std::find(engines_.begin(), engines_.end(), engine) == engines_.end())
-      throw core::InvalidInput(fmt::format(
-          "{} has runs of engine {}, which do not count in {}; give the store that does have such "
-          "runs first, with --keep, or leave it out",
-          from.folder_.string(), engine, folder_.string()));
-  int copied = 0;
-  for (const auto& entry : fs::directory_iterator(from.folder_ / "runs")) {
-    const std::string key = entry.path().filename().string();
-    if (key.starts_with('.') || !entry.is_directory()) continue;
-    const State here = state(key);
-    if (here == State::done || (here == State::failed && from.state(key) == State::failed)) continue;
-    const fs::path copy = temporary(key + "+"); // forget() uses the name without +
-    fs::remove_all(copy);
-    fs::copy(entry.path(), copy, fs::copy_options::recursive);
-    if (here == State::failed) forget(key);
-    fs::rename(copy, run(key));
-    ++copied;
+int Store::merge(const std::vector<Store>& others, OldRuns old) {
+  for (const auto& other : others) {
+    if (read_head(other.folder_).engine == 0)
+      throw core::InvalidInput(
+          fmt::format("{} is no run store: there is no study.txt in it", other.folder_.string()));
+    for (const int engine : other.engines_) {
+      if (std::find(engines_.begin(), engines_.end(), engine) != engines_.end()) continue;
+      if (old != OldRuns::keep)
+        throw core::InvalidInput(fmt::format(
+            "{} has runs of engine {}, this program is engine {}; give --keep to count them, or leave it out",
+            other.folder_.string(), engine, core::engine));
+      engines_.push_back(engine);
+    }
   }
+  open_for_writing(old);
+  int copied = 0;
+  for (const auto& other : others)
+    for (const auto& entry : fs::directory_iterator(other.folder_ / "runs")) {
+      const std::string key = entry.path().filename().string();
+      if (key.starts_with('.') || !entry.is_directory()) continue;
+      const State here = state(key);
+      if (here == State::done || (here == State::failed && other.state(key) == State::failed)) continue;
+      const fs::path copy = temporary(key + "+"); // forget() uses the name without +
+      fs::remove_all(copy);
+      fs::copy(entry.path(), copy, fs::copy_options::recursive);
+      if (here == State::failed) forget(key);
+      fs::rename(copy, run(key));
+      ++copied;
+    }
   return copied;
 }
 

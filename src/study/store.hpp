@@ -67,9 +67,10 @@ class Store {
   Cost cost(const std::string& key) const;
   /// Why the run failed; empty for one that is done.
   std::string failure(const std::string& key) const;
-  /// Copies runs that are not here yet; how many. InvalidInput where `from` is no store of this study, or has
-  /// runs of an engine whose runs do not count here.
-  int merge(const Store& from) const;
+  /// Opens for writing and copies runs that are not here yet; how many. InvalidInput, before anything is
+  /// written, where one is no store, or has runs of an engine whose runs do not count here and are not to be
+  /// kept.
+  int merge(const std::vector<Store>& others, OldRuns);
 
  private:
   void sweep() const;

@@ -92,7 +92,7 @@ Sheet runs_sheet(const Study& study, const Store& store, std::string_view varian
   for (const auto& run : study.runs) {
     const auto key = store.key(run.press_case);
     const auto state = store.state(key);
-    Cells row = {static_cast<double>(sheet.rows.size() + 1), key};
+    Cells row = {static_cast<std::int64_t>(sheet.rows.size() + 1), key};
     for (const auto& input : run.inputs)
       std::visit([&](const auto& level) { row.emplace_back(level); }, input);
     row.emplace_back(word(state));
@@ -124,13 +124,13 @@ Sheet curves_sheet(const Study& study, const Store& store, double step) {
       {}};
   if (x_walls) sheet.columns.insert(sheet.columns.end(), {"F_bar_x", "a_bar_x"});
   if (y_walls) sheet.columns.insert(sheet.columns.end(), {"F_bar_y", "a_bar_y"});
-  double number = 0;
+  std::int64_t number = 0;
   for (const auto& run : study.runs) {
     ++number;
     const auto key = store.key(run.press_case);
     if (store.state(key) != Store::State::done) continue;
     for (const auto& point : on_grid(press::read_curve(store.run(key) / "curve.csv"), step)) {
-      Cells row = {number, static_cast<double>(point.branch_id),
+      Cells row = {number, std::int64_t{point.branch_id},
                    std::string(branches[static_cast<std::size_t>(point.branch)]), rounded(point.delta_bar)};
       const auto add = [&](const std::optional<Contact>& contact) {
         if (contact) append(row, {rounded(contact->F_bar), rounded(contact->a_bar)});

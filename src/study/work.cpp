@@ -37,14 +37,14 @@ void press_one(const Run& run, const Store& store, const std::string& key, const
   const double cpu = cpu_now();
   const auto start = Clock::now();
   auto refreshed = start;
-  const auto result = press::press(run.press_case, [&](double, const press::CurvePoint&) {
+  const auto result = press::press(run.press_case, [&](double, const press::CurvePoint& point) {
     if (Clock::now() - refreshed > std::chrono::seconds(30)) {
       claim.refresh();
       refreshed = Clock::now();
     }
-    return !core::interrupted();
+    return !core::interrupted() && !(run.stop_at > 0 && point.delta_bar > run.stop_at);
   });
-  if (press::common(result).interrupted) stop_where_asked();
+  if (press::common(result).interrupted) stop_where_asked(); // unless it stopped where the run says
   store.keep(key, run.press_case, result,
              {cpu_now() - cpu, std::chrono::duration<double>(Clock::now() - start).count()});
 }
