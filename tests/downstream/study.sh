@@ -36,10 +36,10 @@ experiment = "simple"
 material = "base-case"
 radius_m = 1e-3
 [case.path]
-delta_bar_max = 0.02
-unload_from = [0.02]
+delta_bar_max = 0.01
+unload_from = [0.01]
 [case.mesh]
-elements = 64
+elements = 32
 [design]
 kind = "factorial"
 [factors]
@@ -208,28 +208,41 @@ cp -r older again
 same again
 
 # --- a press that fails is kept with its reason, and a study where all fail says so ---
-cat >hopeless.toml <<'T'
+cat >weak-case.toml <<'T'
 platen = 1
-name = "hopeless"
-case = "hopeless-case.toml"
+experiment = "simple"
+material = { platen = 1, name = "weak", model = "drucker-prager", parameters = { E_Pa = 1e10, nu = 0.15, phi_deg = 60, sigma_c_Pa = 1e3 } }
+radius_m = 1e-3
+[path]
+delta_bar_max = 0.005
+T
+cat >weak.toml <<'T'
+platen = 1
+name = "weak"
+case = "weak-case.toml"
 [design]
 kind = "factorial"
 [factors]
-"mesh.elements" = { values = [32, 40] }
+"material.sigma_c_Pa" = { values = [1e3, 1e6] }
+"mesh.elements" = { values = [32] }
 T
-cat >hopeless-case.toml <<'T'
-platen = 1
-experiment = "simple"
-material = { platen = 1, name = "soft", model = "elastic", parameters = { E_Pa = 1e9, nu = 0.4999999999 } }
-radius_m = 1e-3
-T
-echo
+"$platen" study run weak.toml --store weak >answer 2>&1 && grep -q 'note: 1 of 2 presses failed' answer || fails "a study with a failure: $(cat answer)"
+"$platen" study status weak.toml --store weak | grep -q '^failed .*: stopped at delta_bar' || fails "status does not say why"
+before=$(ls -l --time-style=full-iso weak/runs)
+"$platen" study run weak.toml --store weak >/dev/null 2>&1
+[ "$before" = "$(ls -l --time-style=full-iso weak/runs)" ] || fails "a failed press was pressed again unasked"
+"$platen" study run weak.toml --store weak --retry-failed >/dev/null 2>&1
+[ "$before" = "$(ls -l --time-style=full-iso weak/runs)" ] && fails "--retry-failed presses nothing"
+sed 's/, 1e6//' weak.toml >hopeless.toml
+refuses 3 "every press of the study failed, the first with: stopped at delta_bar" "$platen" study run hopeless.toml --store hopeless
 
 # --- bad cards ---
 sed 's/Gamma_bar/Gama_bar/' study.toml >wrong.toml
 refuses 2 "Gama_bar" "$platen" study status wrong.toml
 sed 's/\[50, 100, 150, 200\]/[]/' study.toml >empty.toml
 refuses 2 "design is empty" "$platen" study status empty.toml
+sed 's/100, 150/100.5, 150/; s/material.E_bar/mesh.elements/' study.toml >wrong.toml
+refuses 2 "it must be a whole number" "$platen" study status wrong.toml
 sed 's/factorial/factoral/' study.toml >wrong.toml
 refuses 2 "did you mean 'factorial'" "$platen" study status wrong.toml
 [ $failures -eq 0 ] && echo "study: all well"
