@@ -131,13 +131,12 @@ void submit(const Options& o) {
     return;
   }
   store.open_for_writing(o.old());
-  core::write_file(store.folder() / "submit.sh", script);
+  const auto file = (store.folder() / "submit.sh").string();
+  core::write_file(file, script);
   std::fflush(nullptr);
-  if (std::system(fmt::format("sbatch '{}'", (store.folder() / "submit.sh").string()).c_str()) != 0)
-    throw core::IoError(
-        fmt::format("sbatch did not take the job (above, or there is no sbatch here); its script "
-                    "is {}",
-                    (store.folder() / "submit.sh").string()));
+  if (std::system(fmt::format("sbatch {}", study::quoted(file)).c_str()) != 0)
+    throw core::IoError(fmt::format(
+        "sbatch did not take the job (above, or there is no sbatch here); its script is {}", file));
 }
 
 } // namespace

@@ -16,6 +16,7 @@ namespace {
 
 struct Options {
   std::string card, output, beside;
+  bool keys = false;
 };
 
 /// The inputs of each run, and the derived quantities of its case.
@@ -63,6 +64,10 @@ void print_line(const study::Study& s, const study::Study& ranges, const std::ve
 }
 
 void design(const Options& o) {
+  if (o.keys) {
+    fmt::print("{}", study::study_reference());
+    return;
+  }
   const auto s = study::read_study(o.card);
   fmt::print("{:<24} {:>5}  {:<16} {:>10} {:>16} {:>10}\n", "design", "runs", "kind", "min. dist.",
              "of one category", "MaxPro");
@@ -83,14 +88,18 @@ void design(const Options& o) {
 void add_study_design(CLI::App& study) {
   auto o = std::make_shared<Options>();
   auto* command = study.add_subcommand("design", "the runs of a study, and how well they fill their ranges");
-  command->add_option("STUDY.toml", o->card, "the study card")->required();
+  auto* card = command->add_option("STUDY.toml", o->card, "the study card");
   command->add_option("-o", o->output, "the runs as CSV")->type_name("FILE");
   command->add_option("--beside", o->beside, "a study over the same factors, to compare with")
       ->type_name("STUDY.toml");
   command->footer(
       "Example: platen study design examples/space-filling.toml --beside examples/shahin-a1.toml -o "
       "design.csv");
-  command->callback([o] { design(*o); });
+  command->add_flag("--keys", o->keys, "every key of a study card, as Markdown")->excludes(card);
+  command->callback([o] {
+    if (o->card.empty() && !o->keys) throw CLI::RequiredError("STUDY.toml");
+    design(*o);
+  });
 }
 
 } // namespace platen::app

@@ -324,6 +324,38 @@ Study read_study(std::string_view path) {
   return study;
 }
 
+std::string study_reference() {
+  std::string bounds;
+  for (const auto& derived : derived_quantities())
+    bounds += fmt::format("| `{}` | {} | two numbers, [low, high] |\n", derived.name, derived.meaning);
+  return fmt::format(
+      "# Study card\n\n{}"
+      "| `case` | the base case | a path beside the study card, or a table |\n\n"
+      "## [design]\n\n{}"
+      "| `only` | of a table: the rows whose columns say so | a table of texts, {{ loading = \"die\" }} |\n\n"
+      "## [factors]\n\n"
+      "A key is `material.KEY` (of [parameters]), `path.KEY`, `mesh.KEY`, `radius_m`, `experiment` or "
+      "`material`; its "
+      "value a table:\n\n"
+      "| key | meaning | value |\n|---|---|---|\n"
+      "| `values` | the levels of a factorial design; shared out evenly in a random one | a list of numbers "
+      "or "
+      "texts |\n"
+      "| `min`, `max` | range of a random design | numbers |\n"
+      "| `scale` | whether the range is filled evenly in the number, or in its logarithm | \"linear\" or "
+      "\"log\"; "
+      "may be left out |\n"
+      "| `column` | of a table; by default the one with the name of the factor | text; may be left out |\n"
+      "| `names` | what the words of the column mean here | a table of texts, {{ hydro = \"hydrostatic\" }}; "
+      "may be "
+      "left out |\n\n"
+      "## [bounds], of a space-filling design\n\n| key | meaning | value |\n|---|---|---|\n{}\n"
+      "## [fit]\n\n| key | meaning | value |\n|---|---|---|\n"
+      "| `laws` | laws that `platen study export` fits | a list of texts; known is edmans-sinka |\n",
+      core::reference_table(core::infos<Head>(head_fields)),
+      core::reference_table(core::infos<Design>(design_fields)), bounds);
+}
+
 std::vector<Point> points_of(const Study& study) {
   std::vector<Point> points;
   for (const auto& run : study.runs) points.push_back(run.inputs);

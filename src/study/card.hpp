@@ -40,4 +40,7 @@ struct Derived {
 };
 const std::vector<Derived>& derived_quantities();
 
+/// The reference page of study cards, as Markdown.
+std::string study_reference();
+
 } // namespace platen::study

@@ -2,22 +2,23 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cstdlib>
 
 namespace platen::study {
 namespace {
 
-/// For a shell.
+std::string absolute_word(const std::filesystem::path& path) {
+  return quoted(std::filesystem::absolute(path).lexically_normal().string());
+}
+
+} // namespace
+
 std::string quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return result + "'";
 }
-std::string quoted(const std::filesystem::path& path) {
-  return quoted(std::filesystem::absolute(path).lexically_normal().string());
-}
-
-} // namespace
 
 std::string batch_script(const Job& job) {
   std::string name;
@@ -35,9 +36,9 @@ std::string batch_script(const Job& job) {
   for (const auto& option : job.options) script += fmt::format("#SBATCH {}\n", option);
   script += "export OPENBLAS_NUM_THREADS=1\n";
   if (const char* catalogue = std::getenv("PLATEN_CATALOGUE"); catalogue && *catalogue)
-    script += fmt::format("export PLATEN_CATALOGUE={}\n", quoted(std::filesystem::path(catalogue)));
-  script += fmt::format("exec {} study run {} --store {} --workers 1\n", quoted(job.program),
-                        quoted(job.card), quoted(job.store));
+    script += fmt::format("export PLATEN_CATALOGUE={}\n", absolute_word(catalogue));
+  script += fmt::format("exec {} study run {} --store {} --workers 1\n", absolute_word(job.program),
+                        absolute_word(job.card), absolute_word(job.store));
   return script;
 }
 

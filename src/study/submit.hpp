@@ -17,4 +17,7 @@ struct Job {
 /// The batch script. Paths become absolute: each task starts where Slurm likes.
 std::string batch_script(const Job&);
 
+/// One word for a shell, whatever is in it.
+std::string quoted(const std::string&);
+
 } // namespace platen::study

@@ -183,6 +183,35 @@ refuses 2 "2 of 2 runs differ from the pool" "$platen" study check pool --cheape
 sed 's/50, 100/51, 100/' study.toml >pool/study.toml
 refuses 2 "the key is not that of run 1" "$platen" study check pool --cheapest
 
+# --- three loadings of one table, in space as well; the walls of the die have columns of their own ---
+cat >loadings.toml <<'T'
+platen = 1
+name = "loadings"
+[case]
+platen = 1
+experiment = "simple"
+material = "von-mises-100"
+radius_m = 1e-2
+[case.path]
+delta_bar_max = 0.004
+[case.mesh]
+elements = 200
+[design]
+kind = "table"
+file = "shahin-table-a1.csv"
+only = { row = "1" }
+[factors]
+experiment = { column = "loading", names = { simple = "simple", die = "die", hydro = "hydrostatic" } }
+"material.E_Pa" = { column = "E_MPa" }
+"material.nu" = { column = "nu" }
+"material.sigma_y_Pa" = { column = "sigma_y_MPa" }
+T
+"$platen" study run loadings.toml --store loadings --workers 2 >answer 2>&1 || fails "a study of three loadings: $(cat answer)"
+"$platen" study export loadings.toml --store loadings -o runs.csv --curves curves.csv --step 0.001 || fails "its export"
+grep -q ',hydrostatic,2958140000,0.2099,26390000,done,' runs.csv || fails "runs of three loadings: $(cat runs.csv)"
+grep -q '^2,0,loading,0.004,[^,]*,[^,]*,[^,]*,[^,]\+$' curves.csv && grep -q '^3,0,loading,0.004,[^,]*,[^,]*,,$' curves.csv ||
+  fails "curves of three loadings: $(cat curves.csv)"
+
 # --- another study, another engine ---
 sed 's/small/other/' study.toml >other.toml
 refuses 2 "not of 'other'" "$platen" study run other.toml --store whole
