@@ -234,8 +234,11 @@ void Store::keep(const std::string& key, const press::Case& c, const press::AnyR
 
 /// Out of the way first, lest half a run be taken for a whole one.
 void Store::forget(const std::string& key) const {
-  fs::rename(run(key), temporary(key));
-  fs::remove_all(temporary(key));
+  std::error_code error;
+  fs::rename(run(key), temporary(key), error);
+  if (error && state(key) != State::missing) // else another program was faster
+    throw core::IoError(fmt::format("{} cannot be removed: {}", run(key).string(), error.message()));
+  fs::remove_all(temporary(key), error);
 }
 
 int Store::claimed() const {

@@ -1,5 +1,6 @@
 #include "study/table.hpp"
 
+#include "core/error.hpp"
 #include "core/number.hpp"
 #include "core/version.hpp"
 #include "fit/edmans_sinka.hpp"
@@ -11,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace platen::study {
@@ -98,8 +100,13 @@ Sheet runs_sheet(const Study& study, const Store& store, std::string_view varian
     row.emplace_back(word(state));
     if (fitted && state == Store::State::done) {
       const auto curve = press::read_curve(store.run(key) / "curve.csv");
-      append(row, loading_cells(curve, variant));
-      append(row, unloading_cells(curve, from));
+      try {
+        append(row, loading_cells(curve, variant));
+        append(row, unloading_cells(curve, from));
+      } catch (const core::InvalidInput& problem) {
+        throw core::InvalidInput(fmt::format("run {}, {}: {}", sheet.rows.size() + 1,
+                                             (store.run(key) / "curve.csv").string(), problem.what()));
+      }
     } else append(row, Cells(behind_fit - before_fit));
     if (state == Store::State::missing) append(row, Cells(2));
     else append(row, {store.cost(key).cpu_s, store.cost(key).wall_s});
