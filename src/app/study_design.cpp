@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "study/card.hpp"
+#include "study/derived.hpp"
 #include "study/sheet.hpp"
 
 #include <CLI/CLI.hpp>

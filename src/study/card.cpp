@@ -5,14 +5,13 @@
 #include "core/fields.hpp"
 #include "core/nearest.hpp"
 #include "core/number.hpp"
-#include "material/models.hpp"
 #include "press/case_card.hpp"
+#include "study/derived.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
 
 namespace platen::study {
 namespace {
@@ -282,24 +281,6 @@ std::string words_of(const std::vector<Factor>& factors, const Point& point) {
 }
 
 } // namespace
-
-const std::vector<Derived>& derived_quantities() {
-  static const std::vector<Derived> list = {
-      {"lambda", "E/((1 - nu^2) sigma_ref), SH section 2.2; sigma_ref is sigma_y of a von Mises material",
-       [](const press::Case& c) {
-         const auto& model = c.material.model;
-         const double nu = material::initial_nu(model);
-         return material::initial_E(model) / ((1 - nu * nu) * material::reference_stress(model));
-       }},
-      {"zeta", "bulk modulus over sigma_ref, E/(3 (1 - 2 nu) sigma_ref)",
-       [](const press::Case& c) {
-         const auto& model = c.material.model;
-         return material::initial_E(model) /
-                (3 * (1 - 2 * material::initial_nu(model)) * material::reference_stress(model));
-       }},
-  };
-  return list;
-}
 
 Study read_study(std::string_view path) {
   const Table card = core::read_toml(path);

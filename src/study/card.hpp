@@ -4,7 +4,6 @@
 #include "press/case.hpp"
 #include "study/design.hpp"
 
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,13 +31,6 @@ Study read_study(std::string_view path);
 
 /// The points of its design.
 std::vector<Point> points_of(const Study&);
-
-/// Named quantities that [bounds] may limit.
-struct Derived {
-  std::string name, meaning;
-  double (*of)(const press::Case&);
-};
-const std::vector<Derived>& derived_quantities();
 
 /// The reference page of study cards, as Markdown.
 std::string study_reference();

@@ -3,6 +3,7 @@
 #include "core/csv.hpp"
 #include "core/error.hpp"
 #include "core/number.hpp"
+#include "study/derived.hpp"
 #include "study/random.hpp"
 #include "study/table.hpp"
 
@@ -125,9 +126,7 @@ std::vector<std::size_t> two_cheap(const Pool& pool) {
   std::vector<std::size_t> done;
   for (std::size_t i = 0; i < pool.states.size(); ++i)
     if (pool.states[i] == "done") done.push_back(i);
-  const auto lambda = [&](std::size_t i) {
-    return derived_quantities().front().of(pool.study.runs[i].press_case);
-  };
+  const auto lambda = [&](std::size_t i) { return lambda_of(pool.study.runs[i].press_case); };
   std::stable_sort(done.begin(), done.end(), [&](auto i, auto j) { return lambda(i) < lambda(j); });
   const auto middle = done.begin() + static_cast<std::ptrdiff_t>(done.size() / 2);
   std::vector<std::size_t> chosen;

@@ -92,7 +92,7 @@ void work(const Study& study, const Store& store) {
       else all_there = false;
     }
     if (all_there) return;
-    std::this_thread::sleep_for(std::chrono::milliseconds(500)); // who has claimed the rest may die
+    std::this_thread::sleep_for(std::chrono::milliseconds(250)); // who has claimed the rest may die
   }
 }
 
@@ -109,6 +109,7 @@ void work(const Study& study, const Store& store, int workers,
   if (children.empty()) throw core::IoError("no worker process could be started");
   int worst = 0;
   bool told = false;
+  auto shown = Clock::now();
   while (!children.empty()) {
     if (core::interrupted() && !told) {
       for (const pid_t child : children) ::kill(child, SIGTERM);
@@ -120,8 +121,11 @@ void work(const Study& study, const Store& store, int workers,
       worst = std::max(worst, WIFEXITED(status) ? WEXITSTATUS(status) : 4);
       return true;
     });
-    show(tally(study, store));
-    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    if (children.empty() || Clock::now() - shown > std::chrono::milliseconds(200)) {
+      show(tally(study, store));
+      shown = Clock::now();
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   stop_where_asked();
   if (worst == 130)
