@@ -49,16 +49,19 @@ kind = "factorial"
 laws = ["edmans-sinka"]
 T
 
+began=$(date +%s%N)
 "$platen" study run study.toml --store whole --workers 2 >/dev/null 2>&1 || { echo "FAILED: an undisturbed study does not end well"; exit 1; }
+took_us=$((($(date +%s%N) - began) / 1000))
 exported whole
 [ "$(grep -c ',done,' whole.csv)" = 8 ] || fails "not all 8 runs are done"
 
-# --- killed ten times at random: from 0.02 s on, up to about the time of three presses ---
+# --- killed ten times at random, after up to half of the time that the whole study takes ---
 progress=0
 for _ in $(seq 10); do
   setsid "$platen" study run study.toml --store killed --workers 2 >/dev/null 2>&1 &
   victim=$!
-  sleep "0.$(printf '%03d' $((RANDOM % 180 + 20)))"
+  after_us=$((took_us * (RANDOM % 450 + 50) / 1000))
+  sleep "$((after_us / 1000000)).$(printf '%06d' $((after_us % 1000000)))"
   kill -KILL -- "-$victim" 2>/dev/null && [ "$(ls killed/runs 2>/dev/null | wc -l)" -lt 8 ] && progress=$((progress + 1))
   wait "$victim" 2>/dev/null
 done
