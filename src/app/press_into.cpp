@@ -11,6 +11,7 @@
 #include "plot/zone_map.hpp"
 #include "press/case_card.hpp"
 #include "press/curve_csv.hpp"
+#include "press/experiment.hpp"
 #include "press/fields_vtu.hpp"
 #include "press/summary.hpp"
 
@@ -84,17 +85,13 @@ Pressed written(const press::Case& c, const Result& result, const OutputFolder& 
 
 Pressed press_and_write(const press::Case& c, const OutputFolder& folder, Fields fields) {
   core::Progress progress(fmt::format("pressing {}", c.material.name));
-  const auto by_overlap = [&](double fraction, const press::CurvePoint& point) {
-    progress.show(fraction, fmt::format("delta_bar = {:.3f}", point.delta_bar));
+  const bool by_force = c.experiment == "local";
+  const auto any = press::press(c, [&](double fraction, const press::CurvePoint& point) {
+    progress.show(fraction, by_force ? fmt::format("F = {:.3g} N", point.force_N)
+                                     : fmt::format("delta_bar = {:.3f}", point.delta_bar));
     return !core::interrupted();
-  };
-  const auto by_force = [&](double fraction, const press::CurvePoint& point) {
-    progress.show(fraction, fmt::format("F = {:.3g} N", point.force_N));
-    return !core::interrupted();
-  };
-  if (c.experiment == "local") return written(c, press::local(c, by_force), folder, fields);
-  if (press::is_confined(c.experiment)) return written(c, press::confined(c, by_overlap), folder, fields);
-  return written(c, press::simple(c, by_overlap), folder, fields);
+  });
+  return std::visit([&](const auto& result) { return written(c, result, folder, fields); }, any);
 }
 
 } // namespace

@@ -1,8 +1,11 @@
 #include "app/commands.hpp"
+#include "app/study_check.hpp"
+#include "app/study_design.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/progress.hpp"
-#include "fit/edmans_sinka.hpp"
+#include "core/say.hpp"
+#include "study/submit.hpp"
 #include "study/table.hpp"
 #include "study/work.hpp"
 
@@ -10,6 +13,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <memory>
 #include <thread>
 
@@ -17,10 +21,15 @@ namespace platen::app {
 namespace {
 
 struct Options {
-  std::string card, store, output = "runs.csv", variant = "published";
-  std::vector<std::string> others;
-  int workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  bool retry_failed = false, recompute = false;
+  std::string card, store, output = "runs.csv", curves, variant = "published";
+  std::vector<std::string> others, slurm;
+  int workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency())), tasks = 16;
+  double step = 0.01;
+  bool retry_failed = false, keep = false, recompute = false, dry_run = false;
+
+  study::OldRuns old() const {
+    return recompute ? study::OldRuns::recompute : keep ? study::OldRuns::keep : study::OldRuns::ask;
+  }
 };
 
 study::Store store_of(const study::Study& s, const Options& o) {
@@ -28,30 +37,39 @@ study::Store store_of(const study::Study& s, const Options& o) {
 }
 
 void print_tally(const study::Tally& t, const study::Store& store) {
-  const int there = t.done + t.failed, left = t.runs - there;
+  const int there = t.done + t.failed, left = t.runs - there, claimed = store.claimed();
   fmt::print("{} runs: {} done, {} failed, {} left; {:.0f} s CPU, {:.0f} s wall in presses; store {}\n",
              t.runs, t.done, t.failed, left, t.cpu_s, t.wall_s, store.folder().string());
-  if (left > 0 && there > 0)
-    fmt::print("about {:.0f} minutes of one worker left\n", t.wall_s / there * left / 60);
+  if (claimed > 0) fmt::print("{} being pressed\n", claimed);
+  if (left > 0 && there > 0) {
+    const double minutes = t.wall_s / there * left / 60;
+    fmt::print("about {:.3g} minutes of one worker left", minutes);
+    if (claimed > 1) fmt::print(", {:.3g} with the {} at work", minutes / claimed, claimed);
+    fmt::print("\n");
+  }
+}
+
+std::vector<std::string> failures(const study::Study& s, const study::Store& store) {
+  std::vector<std::string> keys;
+  for (const auto& run : s.runs)
+    if (auto key = store.key(run.press_case); store.state(key) == study::Store::State::failed)
+      keys.push_back(std::move(key));
+  return keys;
 }
 
 void status(const Options& o) {
   const auto s = study::read_study(o.card);
   const auto store = store_of(s, o);
   print_tally(study::tally(s, store), store);
-  for (const auto& run : s.runs)
-    if (const auto key = study::key_of(run.press_case); store.state(key) == study::Store::State::failed)
-      fmt::print("failed {}: {}\n", key, store.failure(key));
+  for (const auto& key : failures(s, store)) fmt::print("failed {}: {}\n", key, store.failure(key));
 }
 
 void run(const Options& o) {
   const auto s = study::read_study(o.card);
-  const auto store = store_of(s, o);
-  store.open_for_writing(o.recompute);
+  auto store = store_of(s, o);
+  store.open_for_writing(o.old());
   if (o.retry_failed)
-    for (const auto& one : s.runs)
-      if (const auto key = study::key_of(one.press_case); store.state(key) == study::Store::State::failed)
-        store.forget(key);
+    for (const auto& key : failures(s, store)) store.forget(key);
   {
     core::Progress progress("study " + s.name);
     study::work(s, store, o.workers, [&](const study::Tally& t) {
@@ -61,29 +79,71 @@ void run(const Options& o) {
   }
   const auto t = study::tally(s, store);
   print_tally(t, store);
-  if (t.done == 0 && t.failed > 0)
-    throw core::ConvergenceError("every press of the study failed; `platen study status` gives the reasons",
-                                 0, 0, 0);
+  if (t.done == 0)
+    throw core::ConvergenceError(
+        fmt::format(
+            "every press of the study failed, the first with: {}; change the case or the factors of {} "
+            "(a finer or coarser mesh, a shorter path, a material that can be pressed)",
+            store.failure(failures(s, store).front()), o.card),
+        0, 0, 0);
+  if (t.failed > 0)
+    core::say(
+        fmt::format("note: {} of {} presses failed: `platen study status` gives the reasons, --retry-failed "
+                    "presses them again\n",
+                    t.failed, t.runs));
 }
+
+bool is_sqlite(const std::string& file) { return file.ends_with(".sqlite") || file.ends_with(".db"); }
 
 void export_table(const Options& o) {
   const auto s = study::read_study(o.card);
-  core::write_file(o.output, study::runs_csv(s, store_of(s, o), o.variant));
+  const auto store = store_of(s, o);
+  if (study::tally(s, store).done == 0)
+    core::say(fmt::format("note: no run of the study is done in {}\n", store.folder().string()));
+  const auto runs = study::runs_sheet(s, store, o.variant);
+  if (is_sqlite(o.output)) study::write_sqlite(o.output, {runs, study::curves_sheet(s, store, o.step)});
+  else core::write_file(o.output, study::csv_text(runs));
+  if (!o.curves.empty()) core::write_file(o.curves, study::csv_text(study::curves_sheet(s, store, o.step)));
 }
 
 void merge(const Options& o) {
   const auto s = study::read_study(o.card);
-  const auto store = store_of(s, o);
-  store.open_for_writing(o.recompute);
-  int copied = 0;
-  for (const auto& other : o.others) copied += store.merge({other, s.name});
+  auto store = store_of(s, o);
+  std::vector<study::Store> others;
+  for (const auto& other : o.others) others.emplace_back(other, s.name);
+  const int copied = store.merge(others, o.old());
   fmt::print("{} runs copied to {}\n", copied, store.folder().string());
+}
+
+void submit(const Options& o) {
+  const auto s = study::read_study(o.card);
+  auto store = store_of(s, o);
+  const auto t = study::tally(s, store);
+  const int left = t.runs - t.done - t.failed;
+  const auto script = study::batch_script({s.name, std::filesystem::read_symlink("/proc/self/exe"), o.card,
+                                           store.folder(), std::clamp(left, 1, o.tasks), o.slurm});
+  if (o.dry_run) {
+    fmt::print("{}", script);
+    return;
+  }
+  if (left == 0) {
+    fmt::print("nothing is left to press in {}\n", store.folder().string());
+    return;
+  }
+  store.open_for_writing(o.old());
+  const auto file = (store.folder() / "submit.sh").string();
+  core::write_file(file, script);
+  std::fflush(nullptr);
+  if (std::system(fmt::format("sbatch {}", study::quoted(file)).c_str()) != 0)
+    throw core::IoError(fmt::format(
+        "sbatch did not take the job (above, or there is no sbatch here); its script is {}", file));
 }
 
 } // namespace
 
 void add_study(CLI::App& program) {
-  auto* command = program.add_subcommand("study", "many presses: run, status, export, merge");
+  auto* command =
+      program.add_subcommand("study", "many presses: design, run, status, export, submit, merge, check");
   command->require_subcommand(1);
   auto o = std::make_shared<Options>();
   const auto add = [&](const char* name, const char* what, void (*action)(const Options&)) {
@@ -93,18 +153,46 @@ void add_study(CLI::App& program) {
     sub->callback([o, action] { action(*o); });
     return sub;
   };
+  const auto add_old = [&](CLI::App* sub) {
+    auto* keep = sub->add_flag("--keep", o->keep, "count the runs of another engine, press what is missing");
+    sub->add_flag("--recompute", o->recompute, "press again what another engine computed")->excludes(keep);
+  };
+  add_study_design(*command);
   auto* start = add("run", "press what is missing; the same command goes on after a stop", run);
   start->add_option("--workers", o->workers, "processes")->check(CLI::Range(1, 1024))->capture_default_str();
   start->add_flag("--retry-failed", o->retry_failed, "press failed runs again");
-  start->add_flag("--recompute", o->recompute, "press again what another engine computed");
+  add_old(start);
   start->footer("Example: platen study run examples/study.toml --store out/study --workers 2");
-  add("status", "what is done, what failed and why, what is left", status);
-  auto* table = add("export", "fit the kept curves and write one table, without a press", export_table);
-  table->add_option("-o", o->output, "the table")->type_name("FILE")->capture_default_str();
+  add("status", "what is done, what failed and why, what is left", status)
+      ->footer("Example: platen study status examples/study.toml --store out/study");
+  auto* table = add("export", "fit the kept curves and write tables, without a press", export_table);
+  table->add_option("-o", o->output, "the runs: CSV, or SQLite with the curves where it ends in .sqlite")
+      ->type_name("FILE")
+      ->capture_default_str();
+  table->add_option("--curves", o->curves, "the curves on a common grid, as CSV")->type_name("FILE");
+  table->add_option("--step", o->step, "grid of the loading branches in delta/R0")
+      ->check(CLI::Range(1e-5, 0.5))
+      ->capture_default_str();
   table->add_option("--variant", o->variant, "form of the law: published, c1, hertz-like")
       ->capture_default_str();
+  table->footer(
+      "Example: platen study export examples/study.toml --store out/study -o runs.csv --curves curves.csv\n"
+      "         platen study export examples/study.toml --store out/study -o study.sqlite");
+  auto* job = add("submit", "a Slurm job array whose tasks press what is missing", submit);
+  job->add_option("--tasks", o->tasks, "tasks of the array; not more than runs are left")
+      ->check(CLI::Range(1, 10000))
+      ->capture_default_str();
+  job->add_option("--slurm", o->slurm, "an option of sbatch; may be repeated")->type_name("OPTION");
+  job->add_flag("--dry-run", o->dry_run, "print the batch script and submit nothing");
+  add_old(job);
+  job->footer("Example: platen study submit examples/study.toml --store /shared/study --tasks 32 "
+              "--slurm=--time=4:00:00 --slurm=--partition=short\n"
+              "The store and the card must be in a folder that all nodes see.");
   auto* join = add("merge", "copy runs of other stores into this one", merge);
   join->add_option("--from", o->others, "the other stores")->required()->type_name("DIR");
+  join->add_flag("--keep", o->keep, "count the runs of another engine");
+  join->footer("Example: platen study merge examples/study.toml --store out/all --from out/mine out/theirs");
+  add_study_check(*command);
   command->footer("Example: platen study run examples/study.toml");
 }
 

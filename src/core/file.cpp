@@ -66,7 +66,7 @@ void write_file(const fs::path& path, std::string_view content) {
   put_in_place(temporary, path);
 }
 
-void prepare_folder(const fs::path& folder) {
+void prepare_folder(const fs::path& folder, std::string_view option) {
   std::error_code error;
   fs::create_directories(folder, error);
   std::string reason = error ? error.message() : "";
@@ -74,9 +74,9 @@ void prepare_folder(const fs::path& folder) {
   if (reason.empty() && ::access(folder.c_str(), W_OK | X_OK) != 0) reason = std::strerror(errno);
   if (!reason.empty())
     throw IoError(
-        fmt::format("{}: the output folder cannot be written ({}); name another with -o, or make this one "
+        fmt::format("{}: the output folder cannot be written ({}); name another with {}, or make this one "
                     "writable",
-                    folder.string(), reason));
+                    folder.string(), reason, option));
 }
 
 } // namespace platen::core

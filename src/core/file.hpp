@@ -19,7 +19,8 @@ void put_in_place(const std::filesystem::path& temporary, const std::filesystem:
 /// Writes the file whole or not at all. IoError (a full disk, say) leaves what was there before.
 void write_file(const std::filesystem::path&, std::string_view content);
 
-/// Makes the folder where it is missing and tries that a file can be written in it. IoError says what to do.
-void prepare_folder(const std::filesystem::path&);
+/// Makes the folder where it is missing and tries that a file can be written in it. IoError says what to do;
+/// `option` is the one that names another folder.
+void prepare_folder(const std::filesystem::path&, std::string_view option = "-o");
 
 } // namespace platen::core

@@ -1,5 +1,6 @@
 #include "core/unit.hpp"
 
+#include "core/error.hpp"
 #include "core/number.hpp"
 
 #include <fmt/format.h>
@@ -45,7 +46,31 @@ std::optional<double> number(const Value& value) {
   return std::nullopt;
 }
 
+/// The SI unit in which a key measures, and its own unit in it.
+struct Measure {
+  std::string_view si;
+  double in_si = 1;
+};
+Measure measure_of(std::string_view key) {
+  for (const auto& unit : units)
+    if (key.ends_with(fmt::format("_{}", unit.name))) return {unit.si, unit.in_si};
+  for (const auto si : si_units)
+    if (key.ends_with(fmt::format("_{}", si))) return {si, 1};
+  return {};
+}
+
 } // namespace
+
+double in_units_of(std::string_view key, std::string_view other) {
+  const Measure own = measure_of(key), its = measure_of(other);
+  const auto in_words = [](const Measure& m) { return m.si.empty() ? "no unit" : m.si; };
+  if (own.si != its.si)
+    throw InvalidInput(
+        fmt::format("'{}' is in {} and cannot serve '{}', which is in {}; units are the ends of "
+                    "names, as in E_MPa",
+                    other, in_words(its), key, in_words(own)));
+  return its.in_si / own.in_si;
+}
 
 std::string line_in_si(std::string_view key, const Value& value, std::span<const std::string> known) {
   const auto is_known = [&](const std::string& name) {

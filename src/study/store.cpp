@@ -13,6 +13,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -46,16 +47,38 @@ std::string birth(long process) {
   return field;
 }
 
+/// study.txt: "ENGINE STUDY", then "keep ENGINE" for each other engine whose runs count.
+struct Head {
+  int engine = 0; ///< 0: there is no such file
+  std::string study;
+  std::vector<int> kept;
+};
+Head read_head(const fs::path& store) {
+  Head head;
+  std::ifstream file(store / "study.txt");
+  if (!file) return head;
+  file >> head.engine >> std::ws;
+  std::getline(file, head.study);
+  std::string word;
+  for (int engine = 0; file >> word >> engine;) head.kept.push_back(engine);
+  return head;
+}
+
+constexpr auto silence = std::chrono::minutes(15);
+
+bool old(const fs::path& path) {
+  std::error_code error;
+  const auto written = fs::last_write_time(path, error);
+  return !error && fs::file_time_type::clock::now() - written > silence;
+}
+
 bool stale(const fs::path& claim) {
   std::ifstream file(claim);
   std::string where, began;
   long process = 0;
-  std::error_code error;
-  const auto age = fs::file_time_type::clock::now() - fs::last_write_time(claim, error);
-  if (error) return false; // given back meanwhile
   const bool readable = static_cast<bool>(file >> where >> process >> began);
   if (readable && where == host()) return birth(process) != began;
-  return age > std::chrono::minutes(15);
+  return old(claim); // not so where it was given back meanwhile
 }
 
 /// False when somebody else has it. link(2) is exclusive as O_EXCL is, and the claim is never there without
@@ -101,31 +124,67 @@ void Claim::refresh() const {
   fs::last_write_time(file_, fs::file_time_type::clock::now(), error);
 }
 
-Store::Store(fs::path folder, std::string study) : folder_(std::move(folder)), study_(std::move(study)) {}
+Store::Store(fs::path folder, std::string study)
+    : folder_(std::move(folder)), study_(std::move(study)), engines_{core::engine} {
+  const Head head = read_head(folder_);
+  if (head.engine == 0) return;
+  if (head.study != study_)
+    throw core::InvalidInput(
+        fmt::format("{} holds the runs of the study '{}', not of '{}'; give another folder", folder_.string(),
+                    head.study, study_));
+  if (head.engine != core::engine) engines_.push_back(head.engine);
+  for (const int engine : head.kept)
+    if (engine != core::engine) engines_.push_back(engine);
+}
 
-void Store::open_for_writing(bool recompute) const {
-  core::prepare_folder(folder_);
-  core::prepare_folder(folder_ / "runs");
-  core::prepare_folder(folder_ / "claims");
-  const fs::path head = folder_ / "study.txt";
-  if (fs::exists(head)) {
-    std::ifstream file(head);
-    int engine = 0;
-    std::string name;
-    file >> engine >> std::ws;
-    std::getline(file, name);
-    if (name != study_)
-      throw core::InvalidInput(
-          fmt::format("{} holds the runs of the study '{}', not of '{}'; give another folder",
-                      folder_.string(), name, study_));
-    if (engine == core::engine) return;
-    if (!recompute)
-      throw core::InvalidInput(fmt::format(
-          "{} was computed by engine {}, this program is engine {}; to press again beside the old runs, give "
-          "--recompute; to keep the old runs as they are, use another folder",
-          folder_.string(), engine, core::engine));
+void Store::open_for_writing(OldRuns old) {
+  core::prepare_folder(folder_, "--store");
+  core::prepare_folder(folder_ / "runs", "--store");
+  core::prepare_folder(folder_ / "claims", "--store");
+  sweep();
+  const Head head = read_head(folder_);
+  if (head.engine != 0 && head.engine != core::engine && old == OldRuns::ask)
+    throw core::InvalidInput(
+        fmt::format("{} was computed by engine {}, this program is engine {}; give --keep to count the old "
+                    "runs and press "
+                    "only what is missing, or --recompute to press all again beside them",
+                    folder_.string(), head.engine, core::engine));
+  if (old == OldRuns::recompute) engines_ = {core::engine};
+  std::string text = fmt::format("{} {}\n", core::engine, study_);
+  for (std::size_t i = 1; i < engines_.size(); ++i) text += fmt::format("keep {}\n", engines_[i]);
+  const fs::path file = folder_ / "study.txt";
+  if (!fs::exists(file) || core::read_file(file) != text) core::write_file(file, text);
+}
+
+std::string Store::key(const press::Case& c) const {
+  for (const int engine : engines_)
+    if (const auto key = key_of(c, engine); state(key) != State::missing) return key;
+  return key_of(c);
+}
+
+/// Unfinished runs of dead processes, and claims of dead workers. Workers on other hosts that were silent for
+/// a quarter of an hour count as dead.
+void Store::sweep() const {
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder_ / "runs")) {
+    const std::string name = entry.path().filename().string(); // .KEY-HOST-PROCESS
+    const auto first = name.find('-'), last = name.rfind('-');
+    if (!name.starts_with('.') || first == last) continue;
+    const auto process = core::number_from(name.substr(last + 1));
+    const bool dead = name.substr(first + 1, last - first - 1) == host()
+                          ? process && birth(static_cast<long>(*process)).empty()
+                          : old(entry.path());
+    if (dead) fs::remove_all(entry.path(), error);
   }
-  core::write_file(head, fmt::format("{} {}\n", core::engine, study_));
+  for (const auto& entry : fs::directory_iterator(folder_ / "claims")) {
+    if (entry.path().filename().string().starts_with('.')) {
+      if (entry.path().filename() != ".lock" && old(entry.path())) fs::remove(entry.path(), error);
+    } else if (stale(entry.path())) remove_if_stale(entry.path());
+  }
+}
+
+fs::path Store::temporary(const std::string& key) const {
+  return folder_ / "runs" / fmt::format(".{}-{}-{}", key, host(), ::getpid());
 }
 
 Store::State Store::state(const std::string& key) const {
@@ -147,18 +206,23 @@ std::optional<Claim> Store::claim(const std::string& key) const {
   return {};
 }
 
-void Store::keep(const std::string& key, const press::Case& c, const press::Result& result, Cost cost) const {
-  const fs::path folder = folder_ / "runs" / fmt::format(".{}-{}-{}", key, host(), ::getpid());
+void Store::keep(const std::string& key, const press::Case& c, const press::AnyResult& any, Cost cost) const {
+  const press::Result& result = press::common(any);
+  const fs::path folder = temporary(key);
   std::error_code error;
   fs::remove_all(folder, error);
   try {
     fs::create_directories(folder);
     core::write_file(folder / "case.toml", press::case_text(c));
     press::write_curve(result.curve, folder / "curve.csv");
-    core::write_file(folder / "summary.json", press::summary_json(c, result));
+    core::write_file(folder / "summary.json",
+                     std::visit([&](const auto& r) { return press::summary_json(c, r); }, any));
     core::write_file(folder / "cost.txt", fmt::format("{:.3f} {:.3f}\n", cost.cpu_s, cost.wall_s));
     if (result.failure) core::write_file(folder / "failure.txt", *result.failure + "\n");
-    fs::rename(folder, run(key));
+    fs::rename(folder, run(key), error);
+    if (error && state(key) == State::missing)
+      throw core::IoError(fmt::format("{}: {}", run(key).string(), error.message()));
+    if (error) fs::remove_all(folder, error);
   } catch (const fs::filesystem_error& problem) {
     fs::remove_all(folder, error);
     throw core::IoError(problem.what());
@@ -168,7 +232,22 @@ void Store::keep(const std::string& key, const press::Case& c, const press::Resu
   }
 }
 
-void Store::forget(const std::string& key) const { fs::remove_all(run(key)); }
+/// Out of the way first, lest half a run be taken for a whole one.
+void Store::forget(const std::string& key) const {
+  std::error_code error;
+  fs::rename(run(key), temporary(key), error);
+  if (error && state(key) != State::missing) // else another program was faster
+    throw core::IoError(fmt::format("{} cannot be removed: {}", run(key).string(), error.message()));
+  fs::remove_all(temporary(key), error);
+}
+
+int Store::claimed() const {
+  int count = 0;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder_ / "claims", error))
+    count += !entry.path().filename().string().starts_with('.') && !stale(entry.path());
+  return count;
+}
 
 Store::Cost Store::cost(const std::string& key) const {
   Cost cost;
@@ -183,20 +262,35 @@ std::string Store::failure(const std::string& key) const {
   return line;
 }
 
-int Store::merge(const Store& from) const {
-  int copied = 0;
-  for (const auto& entry : fs::directory_iterator(from.folder_ / "runs")) {
-    const std::string key = entry.path().filename().string();
-    if (key.starts_with('.') || !entry.is_directory()) continue;
-    const State here = state(key);
-    if (here == State::done || (here == State::failed && from.state(key) == State::failed)) continue;
-    const fs::path temporary = folder_ / "runs" / fmt::format(".{}-{}-{}", key, host(), ::getpid());
-    fs::remove_all(temporary);
-    fs::copy(entry.path(), temporary, fs::copy_options::recursive);
-    if (here == State::failed) forget(key);
-    fs::rename(temporary, run(key));
-    ++copied;
+int Store::merge(const std::vector<Store>& others, OldRuns old) {
+  for (const auto& other : others) {
+    if (read_head(other.folder_).engine == 0)
+      throw core::InvalidInput(
+          fmt::format("{} is no run store: there is no study.txt in it", other.folder_.string()));
+    for (const int engine : other.engines_) {
+      if (std::find(engines_.begin(), engines_.end(), engine) != engines_.end()) continue;
+      if (old != OldRuns::keep)
+        throw core::InvalidInput(fmt::format(
+            "{} has runs of engine {}, this program is engine {}; give --keep to count them, or leave it out",
+            other.folder_.string(), engine, core::engine));
+      engines_.push_back(engine);
+    }
   }
+  open_for_writing(old);
+  int copied = 0;
+  for (const auto& other : others)
+    for (const auto& entry : fs::directory_iterator(other.folder_ / "runs")) {
+      const std::string key = entry.path().filename().string();
+      if (key.starts_with('.') || !entry.is_directory()) continue;
+      const State here = state(key);
+      if (here == State::done || (here == State::failed && other.state(key) == State::failed)) continue;
+      const fs::path copy = temporary(key + "+"); // forget() uses the name without +
+      fs::remove_all(copy);
+      fs::copy(entry.path(), copy, fs::copy_options::recursive);
+      if (here == State::failed) forget(key);
+      fs::rename(copy, run(key));
+      ++copied;
+    }
   return copied;
 }
 

@@ -3,11 +3,12 @@
 // so it is whole or not there. claims/KEY keeps two workers from one run.
 
 #include "core/version.hpp"
-#include "press/simple.hpp"
+#include "press/experiment.hpp"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace platen::study {
 
@@ -28,39 +29,56 @@ class Claim {
   std::filesystem::path file_;
 };
 
+/// What becomes of runs that another engine computed.
+enum class OldRuns { ask, keep, recompute };
+
 class Store {
  public:
-  /// Opens without writing. `study`: its name.
+  /// Opens without writing. `study`: its name. A store of another engine is read as if its runs were kept.
+  /// InvalidInput for runs of another study.
   Store(std::filesystem::path folder, std::string study);
 
-  /// Makes the folder, or checks it: IoError where it cannot be written, InvalidInput for runs of another
-  /// study or another engine number, unless these are to be left beside the new ones.
-  void open_for_writing(bool recompute) const;
+  /// Makes the folder, or checks it, and sweeps up what killed processes left. IoError where it cannot be
+  /// written; InvalidInput for runs of another engine of which nobody said what should become.
+  void open_for_writing(OldRuns);
+
+  /// Of the run that is there: by this engine, else by one whose runs are kept. Else the key of a new one.
+  std::string key(const press::Case&) const;
+  /// Engines whose runs count, this program's first.
+  const std::vector<int>& engines() const { return engines_; }
 
   enum class State { missing, done, failed };
   State state(const std::string& key) const;
   std::filesystem::path run(const std::string& key) const { return folder_ / "runs" / key; }
   const std::filesystem::path& folder() const { return folder_; }
 
-  /// Nothing when another worker has it. The claim of a process that died on this host, or was silent for a
-  /// quarter of an hour on another, is taken over.
+  /// Nothing when another worker has it, or it is there already. The claim of a process that died on this
+  /// host, or was silent for a quarter of an hour on another, is taken over.
   std::optional<Claim> claim(const std::string& key) const;
+  /// Runs being pressed by live workers.
+  int claimed() const;
 
   struct Cost {
     double cpu_s = 0, wall_s = 0;
   };
-  /// IoError leaves nothing half-written.
-  void keep(const std::string& key, const press::Case&, const press::Result&, Cost) const;
+  /// IoError leaves nothing half-written. A run that is there already stays as it is.
+  void keep(const std::string& key, const press::Case&, const press::AnyResult&, Cost) const;
   void forget(const std::string& key) const;
   Cost cost(const std::string& key) const;
   /// Why the run failed; empty for one that is done.
   std::string failure(const std::string& key) const;
-  /// Copies runs that are not here yet; how many.
-  int merge(const Store& from) const;
+  /// Opens for writing and copies runs that are not here yet; how many. InvalidInput, before anything is
+  /// written, where one is no store, or has runs of an engine whose runs do not count here and are not to be
+  /// kept.
+  int merge(const std::vector<Store>& others, OldRuns);
 
  private:
+  void sweep() const;
+  std::filesystem::path temporary(const std::string& key) const;
+
   std::filesystem::path folder_;
   std::string study_;
+  std::vector<int> engines_;
 };
 
 } // namespace platen::study

@@ -2,81 +2,154 @@
 
 #include "core/error.hpp"
 #include "core/number.hpp"
+#include "core/version.hpp"
 #include "fit/edmans_sinka.hpp"
 #include "fit/unloading.hpp"
 #include "press/curve_csv.hpp"
+#include "study/grid.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace platen::study {
 namespace {
 
-constexpr std::string_view loading_columns = ",k,delta_t,a,relative_l2,e_p,e_a,F_bar_end";
+using Cells = std::vector<Cell>;
 
-std::string loading_cells(const press::Curve& curve, std::string_view variant) {
+void append(Cells& row, const Cells& more) { row.insert(row.end(), more.begin(), more.end()); }
+
+constexpr std::array loading_columns = {"k", "delta_t", "a", "relative_l2", "e_p", "e_a", "F_bar_end"};
+constexpr std::array unloading_columns = {"alpha", "beta", "delta_bar_0", "R2"};
+
+Cells loading_cells(const press::Curve& curve, std::string_view variant) {
   const auto fit = fit::fit_edmans_sinka(curve, variant);
-  std::string cells;
-  for (const double x : {fit.k, fit.delta_t, fit.a, fit.errors.relative_l2, fit.errors.e_p, fit.errors.e_a,
-                         press::loading_end(curve)->F_bar})
-    cells += "," + core::number_text(x);
-  return cells;
+  return {fit.k,
+          fit.delta_t,
+          fit.a,
+          fit.errors.relative_l2,
+          fit.errors.e_p,
+          fit.errors.e_a,
+          press::loading_end(curve)->F_bar};
 }
 
-std::string unloading_cells(const press::Curve& curve, const std::vector<double>& from) {
+Cells unloading_cells(const press::Curve& curve, const std::vector<double>& from) {
   const auto fits = fit::fit_unloading(curve).fits;
-  std::string cells;
+  Cells cells;
   for (const double delta_bar : from) {
-    const fit::UnloadingFit* found = nullptr;
-    for (const auto& fit : fits)
-      if (std::abs(fit.delta_bar_max - delta_bar) < 1e-9) found = &fit;
-    cells +=
-        found ? fmt::format(",{},{},{},{}", core::number_text(found->alpha), core::number_text(found->beta),
-                            core::number_text(found->delta_bar_0), core::number_text(found->r_squared))
-              : ",,,,";
+    const auto found = std::find_if(fits.begin(), fits.end(), [&](const fit::UnloadingFit& fit) {
+      return std::abs(fit.delta_bar_max - delta_bar) < 1e-9;
+    });
+    if (found == fits.end()) append(cells, Cells(unloading_columns.size()));
+    else append(cells, {found->alpha, found->beta, found->delta_bar_0, found->r_squared});
   }
   return cells;
 }
+
+/// The engines of the runs that are there: one, unless runs of older engines were kept.
+std::string engines_of(const Study& study, const Store& store) {
+  std::vector<int> found;
+  for (const int engine : store.engines())
+    if (std::any_of(study.runs.begin(), study.runs.end(), [&](const Run& run) {
+          const auto key = key_of(run.press_case, engine);
+          return key == store.key(run.press_case) && store.state(key) != Store::State::missing;
+        }))
+      found.push_back(engine);
+  if (found.empty()) found.push_back(core::engine);
+  return fmt::format("{}", fmt::join(found, " "));
+}
+
+std::string word(Store::State state) {
+  return state == Store::State::done ? "done" : state == Store::State::failed ? "failed" : "missing";
+}
+
+/// Six digits: what a press is good for, and room.
+double rounded(double x) { return *core::number_from(fmt::format("{:.6g}", x)); }
 
 } // namespace
 
-std::string runs_csv(const Study& study, const Store& store, std::string_view variant) {
+Sheet runs_sheet(const Study& study, const Store& store, std::string_view variant) {
   // Factors may change where a run unloads; columns are those of the first.
   const auto from = study.runs.front().press_case.unload_from;
   const bool fitted = !study.laws.empty();
-  std::string csv =
-      fmt::format("# study = {}\n# engine = {}\n# variant = {}\nkey", study.name, core::engine, variant);
-  for (const auto& factor : study.factors) csv += "," + factor;
-  csv += ",state";
-  std::string empty;
+  Sheet sheet{
+      "runs",
+      {{"study", study.name}, {"engine", engines_of(study, store)}, {"variant", std::string(variant)}},
+      {"run", "key"},
+      {}};
+  for (const auto& factor : study.factors) sheet.columns.push_back(factor.name);
+  sheet.columns.push_back("state");
+  const std::size_t before_fit = sheet.columns.size();
   if (fitted) {
-    csv += loading_columns;
-    empty = ",,,,,,,";
-    for (const double delta_bar : from) {
-      for (const char* name : {"alpha", "beta", "delta_bar_0", "R2"})
-        csv += fmt::format(",{}_{}", name, core::number_text(delta_bar));
-      empty += ",,,,";
-    }
+    sheet.columns.insert(sheet.columns.end(), loading_columns.begin(), loading_columns.end());
+    for (const double delta_bar : from)
+      for (const char* name : unloading_columns)
+        sheet.columns.push_back(fmt::format("{}_{}", name, core::number_text(delta_bar)));
   }
-  csv += ",cpu_s,wall_s\n";
+  const std::size_t behind_fit = sheet.columns.size();
+  sheet.columns.insert(sheet.columns.end(), {"cpu_s", "wall_s"});
   for (const auto& run : study.runs) {
-    const auto key = key_of(run.press_case);
+    const auto key = store.key(run.press_case);
     const auto state = store.state(key);
-    csv += key;
-    for (const double input : run.inputs) csv += "," + core::number_text(input);
-    csv += state == Store::State::done ? ",done" : state == Store::State::failed ? ",failed" : ",missing";
+    Cells row = {static_cast<std::int64_t>(sheet.rows.size() + 1), key};
+    for (const auto& input : run.inputs)
+      std::visit([&](const auto& level) { row.emplace_back(level); }, input);
+    row.emplace_back(word(state));
     if (fitted && state == Store::State::done) {
       const auto curve = press::read_curve(store.run(key) / "curve.csv");
-      csv += loading_cells(curve, variant) + unloading_cells(curve, from);
-    } else csv += empty;
-    if (state == Store::State::missing) csv += ",,\n";
-    else {
-      const auto cost = store.cost(key);
-      csv += fmt::format(",{},{}\n", core::number_text(cost.cpu_s), core::number_text(cost.wall_s));
+      try {
+        append(row, loading_cells(curve, variant));
+        append(row, unloading_cells(curve, from));
+      } catch (const core::InvalidInput& problem) {
+        throw core::InvalidInput(fmt::format("run {}, {}: {}", sheet.rows.size() + 1,
+                                             (store.run(key) / "curve.csv").string(), problem.what()));
+      }
+    } else append(row, Cells(behind_fit - before_fit));
+    if (state == Store::State::missing) append(row, Cells(2));
+    else append(row, {store.cost(key).cpu_s, store.cost(key).wall_s});
+    sheet.rows.push_back(std::move(row));
+  }
+  return sheet;
+}
+
+Sheet curves_sheet(const Study& study, const Store& store, double step) {
+  constexpr std::array branches = {"loading", "unloading", "reloading"};
+  const auto any = [&](std::initializer_list<std::string_view> experiments) {
+    return std::any_of(study.runs.begin(), study.runs.end(), [&](const Run& run) {
+      return std::find(experiments.begin(), experiments.end(), run.press_case.experiment) !=
+             experiments.end();
+    });
+  };
+  const bool x_walls = any({"die", "triaxial"}), y_walls = any({"triaxial"});
+  Sheet sheet{
+      "curves",
+      {{"study", study.name}, {"engine", engines_of(study, store)}, {"step", core::number_text(step)}},
+      {"run", "branch_id", "branch", "delta_bar", "F_bar", "a_bar"},
+      {}};
+  if (x_walls) sheet.columns.insert(sheet.columns.end(), {"F_bar_x", "a_bar_x"});
+  if (y_walls) sheet.columns.insert(sheet.columns.end(), {"F_bar_y", "a_bar_y"});
+  std::int64_t number = 0;
+  for (const auto& run : study.runs) {
+    ++number;
+    const auto key = store.key(run.press_case);
+    if (store.state(key) != Store::State::done) continue;
+    for (const auto& point : on_grid(press::read_curve(store.run(key) / "curve.csv"), step)) {
+      Cells row = {number, std::int64_t{point.branch_id},
+                   std::string(branches[static_cast<std::size_t>(point.branch)]), rounded(point.delta_bar)};
+      const auto add = [&](const std::optional<Contact>& contact) {
+        if (contact) append(row, {rounded(contact->F_bar), rounded(contact->a_bar)});
+        else append(row, Cells(2));
+      };
+      add(point.z);
+      if (x_walls) add(point.x);
+      if (y_walls) add(point.y);
+      sheet.rows.push_back(std::move(row));
     }
   }
-  return csv;
+  return sheet;
 }
 
 } // namespace platen::study

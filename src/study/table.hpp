@@ -1,16 +1,21 @@
 #pragma once
-// A study as one table: inputs, fitted parameters with errors, cost. Laws are fitted to the kept curves here,
-// so that a fit is done again without a press.
+// A study as tables: inputs, fitted parameters with errors, cost; and its curves. Laws are fitted to the kept
+// curves here, so that a fit is done again without a press.
 
 #include "study/card.hpp"
+#include "study/sheet.hpp"
 #include "study/store.hpp"
 
 #include <string>
 
 namespace platen::study {
 
-/// One row a run, in the order of the design, the same bytes for the same runs but for the columns cpu_s and
+/// One row a run, in the order of the design, the same for the same runs but for the columns cpu_s and
 /// wall_s, which are the last.
-std::string runs_csv(const Study&, const Store&, std::string_view variant);
+Sheet runs_sheet(const Study&, const Store&, std::string_view variant);
+
+/// The curves of the runs that are done, on a common grid (grid.hpp), in six digits; `run` is the number of
+/// the row in the other sheet, from 1.
+Sheet curves_sheet(const Study&, const Store&, double step);
 
 } // namespace platen::study

@@ -14,7 +14,8 @@ struct Tally {
 };
 Tally tally(const Study&, const Store&);
 
-/// Presses until nothing is left to claim. Throws core::Interrupted, core::IoError; a press that fails is
+/// Presses until every run is there; waits for those that live workers elsewhere have claimed. Throws
+/// core::Interrupted, core::IoError; a press that fails is
 /// kept with its reason.
 void work(const Study&, const Store&);
 

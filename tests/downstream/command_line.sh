@@ -45,6 +45,9 @@ case_card() { # MATERIAL LINES...
 answers 0 'platen derive' "$platen"
 answers 0 'platen 0.' "$platen" --version
 for command in materials point press fit derive; do answers 0 'Example:' "$platen" $command --help; done
+for command in design run status export submit merge check; do answers 0 'Example:' "$platen" study $command --help; done
+answers 0 '| `only` |' "$platen" study design --keys
+answers 2 'STUDY.toml is required' "$platen" study design
 answers 0 'mcc-ph-200' "$platen" materials
 answers 0 'sigma_y_Pa' "$platen" materials mcc-ph-200
 answers 0 '"model": "vmdc"' "$platen" materials mcc-ph-200 --json
