@@ -7,8 +7,10 @@
 #include "core/number.hpp"
 #include "press/case_card.hpp"
 #include "study/derived.hpp"
+#include "study/table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -150,9 +152,11 @@ std::vector<std::string> read_laws(const Table& card) {
     if (!list) throw core::InvalidInput(fmt::format("{} must be a list of names", core::place(*fit, "laws")));
     for (const auto& item : *list) {
       names.push_back(text(*fit, "laws", item));
-      if (names.back() != "edmans-sinka")
-        throw core::InvalidInput(fmt::format("{}: '{}' cannot be fitted to a curve; known is: edmans-sinka",
-                                             core::place(*fit, "laws"), names.back()));
+      if (const auto known = fitted_laws();
+          std::find(known.begin(), known.end(), names.back()) == known.end())
+        throw core::InvalidInput(
+            fmt::format("{}: '{}' cannot be fitted to the curves of a study; known are: {}",
+                        core::place(*fit, "laws"), names.back(), fmt::join(known, ", ")));
     }
   }
   return names;
@@ -332,7 +336,8 @@ std::string study_reference() {
       "left out |\n\n"
       "## [bounds], of a space-filling design\n\n| key | meaning | value |\n|---|---|---|\n{}\n"
       "## [fit]\n\n| key | meaning | value |\n|---|---|---|\n"
-      "| `laws` | laws that `platen study export` fits | a list of texts; known is edmans-sinka |\n",
+      "| `laws` | laws that `platen study export` fits | a list of texts; known are edmans-sinka, agarwal, "
+      "shahin |\n",
       core::reference_table(core::infos<Head>(head_fields)),
       core::reference_table(core::infos<Design>(design_fields)), bounds);
 }

@@ -3,7 +3,9 @@
 #include "core/error.hpp"
 #include "core/number.hpp"
 #include "core/version.hpp"
+#include "fit/agarwal.hpp"
 #include "fit/edmans_sinka.hpp"
+#include "fit/shahin.hpp"
 #include "fit/unloading.hpp"
 #include "press/curve_csv.hpp"
 #include "study/grid.hpp"
@@ -25,29 +27,96 @@ void append(Cells& row, const Cells& more) { row.insert(row.end(), more.begin(),
 constexpr std::array loading_columns = {"k", "delta_t", "a", "relative_l2", "e_p", "e_a", "F_bar_end"};
 constexpr std::array unloading_columns = {"alpha", "beta", "delta_bar_0", "R2"};
 
-Cells loading_cells(const press::Curve& curve, std::string_view variant) {
-  const auto fit = fit::fit_edmans_sinka(curve, variant);
-  return {fit.k,
-          fit.delta_t,
-          fit.a,
-          fit.errors.relative_l2,
-          fit.errors.e_p,
-          fit.errors.e_a,
-          press::loading_end(curve)->F_bar};
+/// What a law writes into a row: names of columns, and the cells of a curve under them.
+struct LawColumns {
+  std::string_view law;
+  std::vector<std::string> (*names)(const std::vector<double>& unload_from);
+  Cells (*cells)(const press::Curve&, std::string_view variant, const std::vector<double>& unload_from);
+};
+
+std::vector<std::string> edmans_sinka_names(const std::vector<double>& unload_from) {
+  std::vector<std::string> names(loading_columns.begin(), loading_columns.end());
+  for (const double delta_bar : unload_from)
+    for (const char* name : unloading_columns)
+      names.push_back(fmt::format("{}_{}", name, core::number_text(delta_bar)));
+  return names;
 }
 
-Cells unloading_cells(const press::Curve& curve, const std::vector<double>& from) {
+Cells edmans_sinka_cells(const press::Curve& curve, std::string_view variant,
+                         const std::vector<double>& unload_from) {
+  const auto fit = fit::fit_edmans_sinka(curve, variant);
+  Cells cells = {fit.k,
+                 fit.delta_t,
+                 fit.a,
+                 fit.errors.relative_l2,
+                 fit.errors.e_p,
+                 fit.errors.e_a,
+                 press::loading_end(curve)->F_bar};
   const auto fits = fit::fit_unloading(curve).fits;
-  Cells cells;
-  for (const double delta_bar : from) {
-    const auto found = std::find_if(fits.begin(), fits.end(), [&](const fit::UnloadingFit& fit) {
-      return std::abs(fit.delta_bar_max - delta_bar) < 1e-9;
+  for (const double delta_bar : unload_from) {
+    const auto found = std::find_if(fits.begin(), fits.end(), [&](const fit::UnloadingFit& one) {
+      return std::abs(one.delta_bar_max - delta_bar) < 1e-9;
     });
     if (found == fits.end()) append(cells, Cells(unloading_columns.size()));
     else append(cells, {found->alpha, found->beta, found->delta_bar_0, found->r_squared});
   }
   return cells;
 }
+
+constexpr std::array deviation_columns = {"force_largest", "force_rms", "published_force_largest",
+                                          "published_force_rms"};
+
+/// Coefficients of a law of large deformation under its name, then how far it is from the curve.
+template <class Table> std::vector<std::string> coefficient_names(std::string_view law, const Table& table) {
+  std::vector<std::string> names;
+  for (const auto& c : table) names.push_back(fmt::format("{}.{}", law, c.key));
+  for (const char* name : deviation_columns) names.push_back(fmt::format("{}.{}", law, name));
+  return names;
+}
+
+/// Empty where the curve does not determine a coefficient, or has nothing to compare with.
+template <class Fit, class Table> Cells coefficient_cells(const Fit& fit, const Table& table) {
+  Cells cells;
+  for (const auto& c : table)
+    if (std::find(fit.held.begin(), fit.held.end(), c.key) == fit.held.end())
+      cells.emplace_back(fit.fitted.*c.member);
+    else cells.emplace_back();
+  if (fit.of_fitted.points == 0) append(cells, Cells(deviation_columns.size()));
+  else
+    append(cells, {fit.of_fitted.force.largest, fit.of_fitted.force.rms, fit.of_published.force.largest,
+                   fit.of_published.force.rms});
+  return cells;
+}
+
+const std::array law_columns = {
+    LawColumns{"edmans-sinka", edmans_sinka_names, edmans_sinka_cells},
+    LawColumns{"agarwal",
+               [](const std::vector<double>&) {
+                 auto names = coefficient_names("agarwal", law::agarwal_coefficients);
+                 for (const char* name : {"Gamma", "side_onset", "tau", "omega"})
+                   names.push_back(fmt::format("agarwal.{}", name));
+                 return names;
+               },
+               [](const press::Curve& curve, std::string_view, const std::vector<double>&) {
+                 const auto fit = fit::fit_agarwal(curve);
+                 Cells cells = coefficient_cells(fit, law::agarwal_coefficients);
+                 const auto add = [&](const std::optional<double>& value) {
+                   if (value) cells.emplace_back(*value);
+                   else cells.emplace_back();
+                 };
+                 add(fit.Gamma);
+                 add(fit.side_onset);
+                 add(fit.sides ? std::optional(fit.sides->tau) : std::nullopt);
+                 add(fit.sides ? std::optional(fit.sides->omega) : std::nullopt);
+                 return cells;
+               }},
+    LawColumns{
+        "shahin",
+        [](const std::vector<double>&) { return coefficient_names("shahin", law::shahin_coefficients); },
+        [](const press::Curve& curve, std::string_view, const std::vector<double>&) {
+          return coefficient_cells(fit::fit_shahin(curve), law::shahin_coefficients);
+        }},
+};
 
 /// The engines of the runs that are there: one, unless runs of older engines were kept.
 std::string engines_of(const Study& study, const Store& store) {
@@ -71,10 +140,15 @@ double rounded(double x) { return *core::number_from(fmt::format("{:.6g}", x)); 
 
 } // namespace
 
+std::vector<std::string> fitted_laws() {
+  std::vector<std::string> names;
+  for (const auto& law : law_columns) names.emplace_back(law.law);
+  return names;
+}
+
 Sheet runs_sheet(const Study& study, const Store& store, std::string_view variant) {
   // Factors may change where a run unloads; columns are those of the first.
   const auto from = study.runs.front().press_case.unload_from;
-  const bool fitted = !study.laws.empty();
   Sheet sheet{
       "runs",
       {{"study", study.name}, {"engine", engines_of(study, store)}, {"variant", std::string(variant)}},
@@ -83,12 +157,12 @@ Sheet runs_sheet(const Study& study, const Store& store, std::string_view varian
   for (const auto& factor : study.factors) sheet.columns.push_back(factor.name);
   sheet.columns.push_back("state");
   const std::size_t before_fit = sheet.columns.size();
-  if (fitted) {
-    sheet.columns.insert(sheet.columns.end(), loading_columns.begin(), loading_columns.end());
-    for (const double delta_bar : from)
-      for (const char* name : unloading_columns)
-        sheet.columns.push_back(fmt::format("{}_{}", name, core::number_text(delta_bar)));
-  }
+  const auto wanted = [&](const LawColumns& law) {
+    return std::find(study.laws.begin(), study.laws.end(), law.law) != study.laws.end();
+  };
+  for (const auto& law : law_columns)
+    if (wanted(law))
+      for (const auto& name : law.names(from)) sheet.columns.push_back(name);
   const std::size_t behind_fit = sheet.columns.size();
   sheet.columns.insert(sheet.columns.end(), {"cpu_s", "wall_s"});
   for (const auto& run : study.runs) {
@@ -98,11 +172,11 @@ Sheet runs_sheet(const Study& study, const Store& store, std::string_view varian
     for (const auto& input : run.inputs)
       std::visit([&](const auto& level) { row.emplace_back(level); }, input);
     row.emplace_back(word(state));
-    if (fitted && state == Store::State::done) {
+    if (behind_fit > before_fit && state == Store::State::done) {
       const auto curve = press::read_curve(store.run(key) / "curve.csv");
       try {
-        append(row, loading_cells(curve, variant));
-        append(row, unloading_cells(curve, from));
+        for (const auto& law : law_columns)
+          if (wanted(law)) append(row, law.cells(curve, variant, from));
       } catch (const core::InvalidInput& problem) {
         throw core::InvalidInput(fmt::format("run {}, {}: {}", sheet.rows.size() + 1,
                                              (store.run(key) / "curve.csv").string(), problem.what()));

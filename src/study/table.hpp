@@ -7,8 +7,12 @@
 #include "study/store.hpp"
 
 #include <string>
+#include <vector>
 
 namespace platen::study {
+
+/// Names that [fit] laws may have.
+std::vector<std::string> fitted_laws();
 
 /// One row a run, in the order of the design, the same for the same runs but for the columns cpu_s and
 /// wall_s, which are the last.
