@@ -2,6 +2,7 @@
 #include "app/law_arguments.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "material/card.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -19,7 +20,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> laws; // of particle types 1, 2, ...
-  std::string output;
+  std::string output, material;
   double radius = 0, density = 0, delta_bar = 0;
 };
 
@@ -62,13 +63,25 @@ Stiffest stiffest_of(const fit::LawCard& card, const Options& options) {
   return {delta_bar, k};
 }
 
+double density_of(const Options& options) {
+  if (options.material.empty()) {
+    if (options.density > 0 && std::isfinite(options.density)) return options.density;
+    throw core::InvalidInput(
+        "--density must be a positive number of kg/m^3; or name a card that has it, with --material");
+  }
+  const auto card = material::read_card(options.material);
+  if (!card.material.density)
+    throw core::InvalidInput(
+        fmt::format("{}: [parameters] has no density_kg_per_m3; add it, or give --density", card.file));
+  return *card.material.density;
+}
+
 std::string lines_of(const Options& options) {
   if (!(options.radius > 0 && std::isfinite(options.radius)))
     throw core::InvalidInput("--radius must be a positive number of metres");
-  if (!(options.density > 0 && std::isfinite(options.density)))
-    throw core::InvalidInput("--density must be a positive number of kg/m^3");
-  const double m = options.density * 4 / 3 * std::numbers::pi * std::pow(options.radius, 3);
-  std::string text = fmt::format("# spheres of radius {} m and {} kg/m^3\n", options.radius, options.density);
+  const double density = density_of(options);
+  const double m = density * 4 / 3 * std::numbers::pi * std::pow(options.radius, 3);
+  std::string text = fmt::format("# spheres of radius {} m and {} kg/m^3\n", options.radius, density);
   std::string pairs;
   double k = 0;
   std::vector<std::string> cards;
@@ -100,7 +113,9 @@ void add_export_lammps(CLI::App& command) {
   auto options = std::make_shared<Options>();
   lammps->add_option("LAW", options->laws, "law cards of particle types 1, 2, ...")->required();
   lammps->add_option("--radius", options->radius, "of the smallest particle [m]")->required();
-  lammps->add_option("--density", options->density, "of the particles [kg/m^3]")->required();
+  auto* density = lammps->add_option("--density", options->density, "of the particles [kg/m^3]");
+  lammps->add_option("--material", options->material, "material card that has the density_kg_per_m3")
+      ->excludes(density);
   lammps->add_option("--delta-bar", options->delta_bar,
                      "largest delta/R that will be reached (default: the end of the card's validity)");
   lammps->add_option("-o", options->output, "file to write instead of printing");

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace platen::material {
 namespace {
@@ -66,22 +67,37 @@ const std::vector<Field<Dpc>> dpc_fields = [] {
   return fields;
 }();
 
-/// What any material may say beside its model.
+/// What any material may say beside its model; 0: not given.
 struct Beside {
-  double tensile_strength = 0; ///< 0: not given
+  double tensile_strength = 0, density = 0;
 };
 const std::vector<Field<Beside>> beside_fields = {
     Field<Beside>{"tensile_strength_Pa", &Beside::tensile_strength,
                   "any model: a press says where the largest principal stress reaches it", positive}
         .optional(),
+    Field<Beside>{"density_kg_per_m3", &Beside::density,
+                  "any model: mass density of the undeformed particle, for exports alone", positive}
+        .optional(),
 };
-const std::vector<std::string> beside_keys = {"tensile_strength_Pa"};
+const std::vector<std::string> beside_keys = {"tensile_strength_Pa", "density_kg_per_m3"};
 
-std::optional<double> read_tensile_strength(const Table& parameters) {
+void read_beside(const Table& parameters, Material& material) {
   std::vector<std::string> others; // the model's own, already read
   for (const auto& entry : parameters.entries) others.push_back(entry.key);
-  const double strength = core::read_fields<Beside>(parameters, beside_fields, {}, others).tensile_strength;
-  return strength > 0 ? std::optional(strength) : std::nullopt;
+  const Beside beside = core::read_fields<Beside>(parameters, beside_fields, {}, others);
+  if (beside.tensile_strength > 0) material.tensile_strength = beside.tensile_strength;
+  if (beside.density > 0) material.density = beside.density;
+}
+
+/// What a material says beside its model.
+std::vector<Parameter> beside(const Material& material) {
+  std::vector<Parameter> list;
+  const auto add = [&](std::size_t i, const std::optional<double>& value) {
+    if (value) list.push_back({beside_fields[i].key, *value, beside_fields[i].meaning});
+  };
+  add(0, material.tensile_strength);
+  add(1, material.density);
+  return list;
 }
 
 /// The fields of the model's own type, handed to `use`.
@@ -126,8 +142,6 @@ Dpc read_dpc(const Table& table) {
   return m;
 }
 
-const std::vector<std::string> later_parameters = {"density_kg_per_m3"};
-
 struct Head {
   int platen = 1;
   std::string name, model;
@@ -158,12 +172,6 @@ const Table& needed_section(const Table& card, std::string_view name) {
   return *table;
 }
 
-void refuse_later_parameters(const Table& table) {
-  for (const auto& key : later_parameters)
-    if (table.find(key))
-      throw core::InvalidInput(fmt::format("{} is not available yet; leave it out", core::place(table, key)));
-}
-
 std::vector<std::pair<std::string, std::string>> read_sources(const Table& table,
                                                               const Table& parameter_table) {
   std::vector<std::string> known = {"default"};
@@ -189,9 +197,8 @@ Card read_card(std::string_view what) {
 Card read_card(const Table& table) {
   const Head head = core::read_fields<Head>(table, head_fields, {}, sections);
   const Table& parameter_table = needed_section(table, "parameters");
-  refuse_later_parameters(parameter_table);
   Card card{{head.name, read_model(table, head.model, parameter_table), {}}, {}, table.file};
-  card.material.tensile_strength = read_tensile_strength(parameter_table);
+  read_beside(parameter_table, card.material);
   if (const Table* source = core::section(table, "source"))
     card.sources = read_sources(*source, parameter_table);
   return card;
@@ -202,15 +209,13 @@ std::string card_text(const Material& material) {
   auto lines = with_fields(
       material.model, [](const auto& fields, const auto& model) { return core::card_lines(fields, model); });
   if (const auto* metal = std::get_if<VonMises>(&material.model)) lines += hardening_line(metal->hardening);
-  const auto strength = material.tensile_strength;
-  return fmt::format("{}\n[parameters]\n{}{}", core::card_lines(head_fields, head), lines,
-                     strength ? core::card_line(beside_keys[0], *strength) : "");
+  for (const auto& parameter : beside(material)) lines += core::card_line(parameter.key, parameter.value);
+  return fmt::format("{}\n[parameters]\n{}", core::card_lines(head_fields, head), lines);
 }
 
 std::vector<Parameter> parameters(const Material& material) {
   auto list = parameters(material.model);
-  if (const auto strength = material.tensile_strength)
-    list.push_back({beside_fields[0].key, *strength, beside_fields[0].meaning});
+  std::ranges::move(beside(material), std::back_inserter(list));
   return list;
 }
 

@@ -27,6 +27,7 @@ struct Material {
   std::string name;
   Model model;
   std::optional<double> tensile_strength = {}; ///< Pa, > 0; it flags fracture, no model knows it
+  std::optional<double> density = {}; ///< of the undeformed particle (kg/m^3), > 0; for exports alone
 };
 
 /// Young's modulus of the undeformed material (Pa).

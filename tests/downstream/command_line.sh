@@ -197,6 +197,12 @@ hertz_card=(hertz.toml --delta-bar 0.01)
 answers 2 'give --delta-bar' "$platen" export lammps hertz.toml --radius 1e-4 --density 636
 answers 0 'timestep' "$platen" export lammps "${hertz_card[@]}" --radius 1e-4 --density 636
 answers 0 'pair_coeff 1 2' "$platen" export lammps hertz.toml hertz.toml --delta-bar 0.01 --radius 1e-4 --density 636
+platen_card() { printf 'platen = 1\nname = "s"\nmodel = "elastic"\n[parameters]\nE_Pa = 1e9\nnu = 0.3\n%s\n' "$1"; }
+platen_card 'density_kg_per_m3 = 636' > heavy.toml
+platen_card '' > weightless.toml
+answers 0 'and 636 kg/m^3' "$platen" export lammps "${hertz_card[@]}" --radius 1e-4 --material heavy.toml
+answers 2 'no density_kg_per_m3' "$platen" export lammps "${hertz_card[@]}" --radius 1e-4 --material weightless.toml
+answers 2 'positive number of kg/m^3' "$platen" export lammps "${hertz_card[@]}" --radius 1e-4
 answers 2 'positive number of metres' "$platen" export lammps "${hertz_card[@]}" --radius -1 --density 636
 answers 2 'there is no such file' "$platen" export lammps missing.toml --radius 1e-4 --density 636
 answers 2 'a table rises' "$platen" export table "${hertz[@]}" --overlap 2e-6:1e-6:3

@@ -139,6 +139,16 @@ TEST(MaterialCard, KeepsATensileStrengthBesideEachModel) {
   }
 }
 
+TEST(MaterialCard, KeepsADensityForExports) {
+  const std::string text = von_mises + "E_bar = 100\nnu = 0.3\n";
+  EXPECT_FALSE(read(text).density);
+  const auto heavy = read(text + "density_kg_per_m3 = 7800\n");
+  EXPECT_EQ(heavy.density, 7800);
+  EXPECT_EQ(read(material::card_text(heavy)).density, 7800);
+  EXPECT_EQ(material::parameters(heavy).back().key, "density_kg_per_m3");
+  EXPECT_NE(refusal(text + "density_kg_per_m3 = -1\n").find("must be a number > 0"), std::string::npos);
+}
+
 TEST(MaterialCard, HasAReferencePageWithEveryKey) {
   const std::string page = material::card_reference();
   for (const auto& parameter : material::parameters(Vmdc{}))
