@@ -2,14 +2,16 @@
 """Tables and pictures of the pools edmans-sinka and von-mises, beside sections 5 and 6 and Appendix A of the paper.
 
 Usage: report.py PLATEN_PROGRAM STORE_OF_EDMANS_SINKA [STORE_OF_VON_MISES]
-Writes edmans-sinka/{runs-c1,runs-hertz-like}.csv, edmans-sinka/report.md, edmans-sinka/*.svg. Needs NumPy and gnuplot."""
+Writes, beside itself, runs.csv and curves.csv of the pools, edmans-sinka/runs-{c1,hertz-like}.csv, edmans-sinka/report.md and
+edmans-sinka/*.svg. Needs NumPy and gnuplot."""
 
 import csv, pathlib, subprocess, sys, tempfile
 import numpy as np
 
 here = pathlib.Path(__file__).resolve().parent
 pool = here / "edmans-sinka"
-work = pathlib.Path(tempfile.mkdtemp())
+scratch = tempfile.TemporaryDirectory()  # gone at the end
+work = pathlib.Path(scratch.name)
 platen, es_store = sys.argv[1:3]
 
 

@@ -58,7 +58,6 @@ DirectSolverOf<Number>::DirectSolverOf(int unknowns, std::span<const std::vector
     m.start.push_back(static_cast<int>(m.variable.size()) + 1);
     const std::size_t n = element.size();
     largest = std::max(largest, n);
-    largest = std::max(largest, n);
     entries += symmetry == Symmetry::unsymmetric ? n * n : n * (n + 1) / 2;
   }
   m.a.resize(entries);

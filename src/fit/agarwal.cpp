@@ -1,11 +1,11 @@
 #include "fit/agarwal.hpp"
 
 #include "core/error.hpp"
-#include "core/number.hpp"
 #include "fit/hardness_search.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,7 +13,6 @@ namespace platen::fit {
 namespace {
 
 using Coefficients = law::AgarwalCoefficients<double>;
-constexpr auto variant = law::AgarwalVariant::published; // the radius that is fitted
 
 /// The law for H_max, x_h, q, r, x_min, H_min and -ln(1 - l); the radius has no part in its hardness.
 struct Hardness {
@@ -24,11 +23,12 @@ struct Hardness {
   template <class Real> auto operator()(const Real* theta) const {
     law::AgarwalCoefficients<Real> c;
     using std::exp;
-    c.D1 = Real(1);
+    c.D1 = Real(1), c.x_joined = Real(1);
     c.H_max = theta[0], c.x_h = theta[1], c.q = theta[2], c.r = theta[3], c.x_min = theta[4],
     c.H_min = theta[5];
     c.l = Real(1) - exp(-theta[6]);
-    return law::AgarwalCurve<Real>::make(loading, variant, Real(lambda), Real(zeta), c);
+    return law::AgarwalCurve<Real>::make(loading, law::AgarwalVariant::published, Real(lambda), Real(zeta),
+                                         c);
   }
 };
 
@@ -39,7 +39,7 @@ void check(const press::Curve& curve) {
                              "--sigma_ref_Pa");
 }
 
-LawOfOverlap law_of(const AgarwalFit& fit, const Coefficients& coefficients) {
+LawOfOverlap law_of(const AgarwalFit& fit, law::AgarwalVariant variant, const Coefficients& coefficients) {
   return [curve = law::AgarwalCurve<double>::make(fit.loading, variant, fit.lambda, fit.zeta, coefficients)](
              double x) {
     const auto p = curve.at(x);
@@ -69,6 +69,7 @@ AgarwalFit fit_agarwal(const press::Curve& curve) {
   const auto [radius, whole] = fit_radius(rows, fit.loading, {c.D1, c.D3, c.D5});
   c.D1 = radius.D1, c.D3 = radius.D3, c.D5 = radius.D5;
   if (!whole) fit.held = {"D_3", "D_5"};
+  c.x_joined = std::min(c.x_joined, fit.x_from); // the fitted radius holds from the first row on
   const bool simple = fit.loading == law::LoadingCase::simple;
   const double limit = last_overlap(fit.loading), x_y = std::pow(3.3 * std::numbers::pi / 4 / fit.lambda, 2);
   const bool rises = !simple && fit.x_to > c.x_min;
@@ -87,25 +88,17 @@ AgarwalFit fit_agarwal(const press::Curve& curve) {
     if (range.held) fit.held.push_back(range.key);
   fit.fitted = c;
   if (rises) fit.Gamma = law::density_product(fit.loading, c.x_min, radius.a_bar(c.x_min));
-  fit.of_fitted = deviations(law_of(fit, fit.fitted), rows, fit.loading);
-  fit.of_published = deviations(law_of(fit, fit.published), rows, fit.loading);
+  fit.of_fitted = deviations(law_of(fit, law::AgarwalVariant::hertz_radius, fit.fitted), rows, fit.loading);
+  fit.of_published =
+      deviations(law_of(fit, law::AgarwalVariant::published, fit.published), rows, fit.loading);
   return fit;
 }
 
 LawCard law_card(const press::Curve& curve, const AgarwalFit& fit, std::string_view curve_text) {
-  LawCard card;
-  card.law = "agarwal";
-  card.variant = "hertz-radius";
-  const auto put = [&](std::string_view key, double value) {
-    card.parameters[std::string(key)] = core::number_text(value);
-  };
-  put("E_Pa", curve.E_Pa);
-  put("nu", curve.nu);
-  put("sigma_y_Pa", curve.sigma_ref_Pa);
-  card.parameters["loading"] = curve.experiment;
-  for (const auto& c : law::agarwal_coefficients) put(c.key, fit.fitted.*c.member);
-  complete(card, curve, fit.of_fitted, curve_text);
-  return card;
+  std::vector<std::pair<std::string_view, double>> parameters = {
+      {"E_Pa", curve.E_Pa}, {"nu", curve.nu}, {"sigma_y_Pa", curve.sigma_ref_Pa}};
+  append(parameters, fit.fitted, law::agarwal_coefficients);
+  return fitted_card("agarwal", "hertz-radius", std::move(parameters), curve, fit.of_fitted, curve_text);
 }
 
 } // namespace platen::fit

@@ -139,11 +139,18 @@ Deviations deviations(const LawOfOverlap& law, const std::vector<LoadedRow>& row
   return d;
 }
 
-void complete(LawCard& card, const press::Curve& curve, const Deviations& d, std::string_view curve_text) {
+LawCard fitted_card(std::string law, std::string variant,
+                    std::vector<std::pair<std::string_view, double>> parameters, const press::Curve& curve,
+                    const Deviations& d, std::string_view curve_text) {
   if (d.points == 0)
     throw core::InvalidInput(fmt::format(
         "the curve has no rows with delta_bar from {:.4g} to {:.4g}, so a card of {} could say no errors",
-        d.from, d.to, card.law));
+        d.from, d.to, law));
+  LawCard card;
+  card.law = std::move(law);
+  card.variant = std::move(variant);
+  for (const auto& [key, value] : parameters) card.parameters[std::string(key)] = core::number_text(value);
+  card.parameters["loading"] = curve.experiment;
   card.delta_bar = {d.from, d.to};
   card.errors = {{"hardness_largest", d.hardness.largest}, {"hardness_rms", d.hardness.rms},
                  {"radius_largest", d.radius.largest},     {"radius_rms", d.radius.rms},
@@ -151,6 +158,7 @@ void complete(LawCard& card, const press::Curve& curve, const Deviations& d, std
   card.provenance = {
       {"material", curve.material}, {"curve_sha256", core::sha256(curve_text)}, {"engine", curve.engine}};
   make_law(card, {{"radius_m", core::number_text(curve.radius_m)}});
+  return card;
 }
 
 } // namespace platen::fit

@@ -9,7 +9,9 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace platen::fit {
@@ -69,8 +71,17 @@ struct Deviations {
 };
 Deviations deviations(const LawOfOverlap&, const std::vector<LoadedRow>&, law::LoadingCase);
 
-/// Adds [error], [validity] and [provenance] to a card of this curve. Throws core::InvalidInput where there
-/// was nothing to compare with, and where the coefficients make no law.
-void complete(LawCard&, const press::Curve&, const Deviations&, std::string_view curve_text);
+/// A card of this curve with these parameters, and the loading; with [validity], [error] and [provenance].
+/// Throws core::InvalidInput where there was nothing to compare with, and where the coefficients make no law.
+LawCard fitted_card(std::string law, std::string variant,
+                    std::vector<std::pair<std::string_view, double>> parameters, const press::Curve&,
+                    const Deviations&, std::string_view curve_text);
+
+/// The coefficients as parameters of a card.
+template <class Coefficients, class Table>
+void append(std::vector<std::pair<std::string_view, double>>& parameters, const Coefficients& values,
+            const Table& table) {
+  for (const auto& c : table) parameters.emplace_back(c.key, values.*c.member);
+}
 
 } // namespace platen::fit

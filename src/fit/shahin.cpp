@@ -66,11 +66,12 @@ ShahinFit fit_shahin(const press::Curve& curve) {
   if (!whole) fit.held = {"D_3", "D_5"};
 
   const double limit = last_overlap(fit.loading);
+  const bool rises = !simple && fit.x_to > c.x_min;
   std::vector<SearchRange> ranges = {{"H_max", c.H_max, 0.1, 10, false},
                                      {"q", c.q, 0.5, 100, !simple},
-                                     {"x_min", c.x_min, 0.3 * limit, 0.95 * limit, simple},
-                                     {"H_min", c.H_min, 0.05, 10, simple},
-                                     {"L", c.L, 0.01, 10, simple}};
+                                     {"x_min", c.x_min, 0.3 * limit, 0.95 * limit, !rises},
+                                     {"H_min", c.H_min, 0.05, 10, !rises},
+                                     {"L", c.L, 0.01, 10, !rises}};
   const auto theta = search_hardness(Hardness{fit.loading, fit.inverse_m}, rows, radius, ranges);
   c.H_max = theta[0], c.q = theta[1], c.x_min = theta[2], c.H_min = theta[3], c.L = theta[4];
   for (const auto& range : ranges)
@@ -82,20 +83,10 @@ ShahinFit fit_shahin(const press::Curve& curve) {
 }
 
 LawCard law_card(const press::Curve& curve, const ShahinFit& fit, std::string_view curve_text) {
-  LawCard card;
-  card.law = "shahin";
-  card.variant = "hardening-minimum";
-  const auto put = [&](std::string_view key, double value) {
-    card.parameters[std::string(key)] = core::number_text(value);
-  };
-  put("E_Pa", curve.E_Pa);
-  put("nu", curve.nu);
-  put("kappa_Pa", curve.sigma_ref_Pa);
-  put("inverse_m", fit.inverse_m);
-  card.parameters["loading"] = curve.experiment;
-  for (const auto& c : law::shahin_coefficients) put(c.key, fit.fitted.*c.member);
-  complete(card, curve, fit.of_fitted, curve_text);
-  return card;
+  std::vector<std::pair<std::string_view, double>> parameters = {
+      {"E_Pa", curve.E_Pa}, {"nu", curve.nu}, {"kappa_Pa", curve.sigma_ref_Pa}, {"inverse_m", fit.inverse_m}};
+  append(parameters, fit.fitted, law::shahin_coefficients);
+  return fitted_card("shahin", "hardening-minimum", std::move(parameters), curve, fit.of_fitted, curve_text);
 }
 
 } // namespace platen::fit

@@ -164,6 +164,7 @@ inline Agarwal prepare_agarwal(const AgarwalMaterial& m1, const Body& one, const
                  AgarwalCoefficients<double>::published(soft.loading, lambda, zeta), soft.coefficients);
   law.curve = AgarwalCurve<double>::make(soft.loading, soft.variant, lambda, zeta, coefficients);
   const AgarwalCurve<double>& curve = law.curve;
+  require(name, "x_joined", curve.x_joined, {curve.x_y, infinity, true, true});
   require(name, "x_h", curve.x_h, {curve.x_y, curve.x_min, true, true});
   require(name, "H_min", curve.H_min, {0, curve.H_max, true, true});
   law.gamma_elastic = curve.x_y / law.pair.x_per_gamma;

@@ -20,8 +20,8 @@ namespace platen::law {
 
 enum class AgarwalVariant : unsigned char {
   published,    ///< (2.13) everywhere
-  hertz_radius, ///< ours: a = sqrt(gamma/A) up to x_y, joining (2.13) at 3 x_h; F is exactly Hertz's up to
-                ///< x_y
+  hertz_radius, ///< ours: a = sqrt(gamma/A) up to x_y, joining (2.13) at x_joined; F is exactly Hertz's up
+                ///< to x_y
 };
 
 /// Where the minimum of H_bar in the cell is looked for: rho_V rho_S = 0.0593 (2.28).
@@ -134,6 +134,7 @@ PLATEN_FUNCTION Real least_hardness(LoadingCase loading, const Real& H_max, cons
 /// The numbers of (2.48) that stand for finite elements.
 template <class Real = double> struct AgarwalCoefficients {
   Real D1{}, D3{}, D5{}; ///< contact radius (2.14)
+  Real x_joined{}; ///< hertz_radius: from here on the radius is (2.13); ours, three times the published x_h
   Real H_max{}, x_h{};   ///< greatest H_bar and its overlap (2.19), (2.20)
   Real q{}, r{};         ///< softening (2.39), (2.40)
   Real x_min{}, H_min{}; ///< least H_bar: where (2.28), and how much (2.37); simple loading: 1 and 1
@@ -147,6 +148,7 @@ template <class Real = double> struct AgarwalCoefficients {
     c.D1 = radius.D1, c.D3 = radius.D3, c.D5 = radius.D5;
     c.H_max = Real(3.101) * tanh(Real(0.6746) * pow(lambda, Real(0.0829)));
     c.x_h = exp(Real(0.7073) / pow(lambda, Real(0.6547))) - Real(1);
+    c.x_joined = Real(3) * c.x_h;
     c.q = Real(14.1819) * tanh(Real(0.3729) * pow(lambda, Real(0.1013)));
     c.r = exp(Real(1.6199) / pow(lambda, Real(0.3232)));
     c.x_min = overlap_of_least_pressure(loading, radius);
@@ -157,25 +159,25 @@ template <class Real = double> struct AgarwalCoefficients {
 };
 
 /// They by name, as parameters of a law card; 0 stands for the published closed form.
-inline constexpr std::array agarwal_coefficients = {
-    Coefficient<AgarwalCoefficients<>>{"D_1", "(2.13), contact radius", positive, &AgarwalCoefficients<>::D1},
-    Coefficient<AgarwalCoefficients<>>{"D_3", "(2.13)", finite, &AgarwalCoefficients<>::D3},
-    Coefficient<AgarwalCoefficients<>>{"D_5", "(2.13)", finite, &AgarwalCoefficients<>::D5},
-    Coefficient<AgarwalCoefficients<>>{"H_max",
-                                       "(2.18), greatest hardness over sigma_y",
-                                       {1.1, infinity, true, true},
-                                       &AgarwalCoefficients<>::H_max},
-    Coefficient<AgarwalCoefficients<>>{
-        "x_h", "(2.18), its delta/R", {0, 1, true, true}, &AgarwalCoefficients<>::x_h},
-    Coefficient<AgarwalCoefficients<>>{"q", "(2.25), softening", positive, &AgarwalCoefficients<>::q},
-    Coefficient<AgarwalCoefficients<>>{"r", "(2.25)", {1, infinity, false, true}, &AgarwalCoefficients<>::r},
-    Coefficient<AgarwalCoefficients<>>{
-        "x_min", "(2.26), delta/R of the least hardness", {0, 1, true, false}, &AgarwalCoefficients<>::x_min},
-    Coefficient<AgarwalCoefficients<>>{"H_min", "(2.38), the least hardness over sigma_y", positive,
-                                       &AgarwalCoefficients<>::H_min},
-    Coefficient<AgarwalCoefficients<>>{
-        "l", "(2.41), low compressibility", {0, 1, true, true}, &AgarwalCoefficients<>::l},
-};
+inline constexpr std::array<Coefficient<AgarwalCoefficients<>>, 11> agarwal_coefficients{{
+    {"D_1", "(2.13), contact radius", positive, &AgarwalCoefficients<>::D1},
+    {"D_3", "(2.13)", finite, &AgarwalCoefficients<>::D3},
+    {"D_5", "(2.13)", finite, &AgarwalCoefficients<>::D5},
+    {"x_joined",
+     "hertz-radius: delta/R from which on the radius is (2.13)",
+     {0, 1, true, true},
+     &AgarwalCoefficients<>::x_joined},
+    {"H_max",
+     "(2.18), greatest hardness over sigma_y",
+     {1.1, infinity, true, true},
+     &AgarwalCoefficients<>::H_max},
+    {"x_h", "(2.18), its delta/R", {0, 1, true, true}, &AgarwalCoefficients<>::x_h},
+    {"q", "(2.25), softening", positive, &AgarwalCoefficients<>::q},
+    {"r", "(2.25)", {1, infinity, false, true}, &AgarwalCoefficients<>::r},
+    {"x_min", "(2.26), delta/R of the least hardness", {0, 1, true, false}, &AgarwalCoefficients<>::x_min},
+    {"H_min", "(2.38), the least hardness over sigma_y", positive, &AgarwalCoefficients<>::H_min},
+    {"l", "(2.41), low compressibility", {0, 1, true, true}, &AgarwalCoefficients<>::l},
+}};
 
 template <class Real = double> struct AgarwalCurve {
   LoadingCase loading = LoadingCase::simple;
@@ -187,7 +189,7 @@ template <class Real = double> struct AgarwalCurve {
   Softening<Real> softening;          ///< plastic (2.25)
   Real p{}, H_min{};
   Real chi_min{}, chi_zp{}, u{}, l{}; ///< low compressibility (2.41)-(2.47)
-  Real blend_rate{};                  ///< 1/ln(3 x_h/x_y), of hertz_radius only
+  Real x_joined{}, blend_rate{};      ///< hertz_radius: where it joins (2.13), 1/ln(x_joined/x_y)
 
   struct Point {
     Real F, slope; ///< F_bar = H_bar a_bar^2 and dF_bar/dx
@@ -213,10 +215,11 @@ template <class Real = double> struct AgarwalCurve {
     c.x_y = root_y * root_y;
     c.H_max = given.H_max;
     c.x_h = given.x_h;
+    c.x_joined = given.x_joined;
+    c.blend_rate = Real(1) / log(c.x_joined / c.x_y);
     const Real L = log(c.x_h / c.x_y);
-    c.blend_rate = Real(1) / (L + Real(1.0986122886681098)); // ln 3
-    c.c2 = Real(0.55) * L / (c.H_max - Real(1.1));           // (2.22): lambda sqrt(A gamma_y)/(3 pi) = 1.1/2
-    c.c1 = (c.H_max - Real(1.1)) / pow(L, c.c2);             // (2.23)
+    c.c2 = Real(0.55) * L / (c.H_max - Real(1.1)); // (2.22): lambda sqrt(A gamma_y)/(3 pi) = 1.1/2
+    c.c1 = (c.H_max - Real(1.1)) / pow(L, c.c2);   // (2.23)
     c.x_min = given.x_min;
     const Real y_min = c.x_min - c.x_h;
     c.softening = Softening<Real>::flat_at(y_min, given.q, given.r);
@@ -240,8 +243,8 @@ template <class Real = double> struct AgarwalCurve {
   /// Contact radius over R, and d ln a / d ln x.
   PLATEN_FUNCTION void contact_radius(const Real& x, Real& a, Real& log_slope) const {
     using std::log, std::sqrt;
-    const Real root = sqrt(x), end = Real(3) * x_h;
-    if (variant == AgarwalVariant::published || end <= x) {
+    const Real root = sqrt(x);
+    if (variant == AgarwalVariant::published || x_joined <= x) {
       a = radius.a_bar(x);
       log_slope = radius.log_slope(x);
       return;
@@ -249,8 +252,8 @@ template <class Real = double> struct AgarwalCurve {
     a = root;
     log_slope = Real(0.5);
     if (x <= x_y) return;
-    // Smooth step in ln x between Hertz's radius and (2.13). The end, 3 x_h, is ours: it matches finite
-    // elements (von Mises, E/sigma_y = 100) at x = 0.002, 0.02 and 0.05.
+    // Smooth step in ln x between Hertz's radius and (2.13). The end, three times the published x_h, is ours:
+    // it matches finite elements (von Mises, E/sigma_y = 100) at x = 0.002, 0.02 and 0.05.
     const Real t = log(x / x_y) * blend_rate;
     const Real step = t * t * (Real(3) - Real(2) * t), step_slope = Real(6) * t * (Real(1) - t) * blend_rate;
     const Real full = radius.D1 + x * (radius.D5 * x - radius.D3), excess = full - Real(1);

@@ -48,21 +48,19 @@ template <class Real = double> struct ShahinCoefficients {
 };
 
 /// They by name, as parameters of a law card; 0 stands for the published closed form.
-inline constexpr std::array shahin_coefficients = {
-    Coefficient<ShahinCoefficients<>>{"D_1", "(3.47), contact radius, with its power of e", positive,
-                                      &ShahinCoefficients<>::D1},
-    Coefficient<ShahinCoefficients<>>{"D_3", "(3.47)", finite, &ShahinCoefficients<>::D3},
-    Coefficient<ShahinCoefficients<>>{"D_5", "(3.47)", finite, &ShahinCoefficients<>::D5},
-    Coefficient<ShahinCoefficients<>>{"H_max", "(3.48)", positive, &ShahinCoefficients<>::H_max},
-    Coefficient<ShahinCoefficients<>>{"q", "(3.48), softening", positive, &ShahinCoefficients<>::q},
-    Coefficient<ShahinCoefficients<>>{"x_min",
-                                      "(3.58), delta/R where low compressibility begins",
-                                      {0, 1, true, false},
-                                      &ShahinCoefficients<>::x_min},
-    Coefficient<ShahinCoefficients<>>{"H_min", "(3.58), the bracket there", positive,
-                                      &ShahinCoefficients<>::H_min},
-    Coefficient<ShahinCoefficients<>>{"L", "(3.59), low compressibility", positive, &ShahinCoefficients<>::L},
-};
+inline constexpr std::array<Coefficient<ShahinCoefficients<>>, 8> shahin_coefficients{{
+    {"D_1", "(3.47), contact radius, with its power of e", positive, &ShahinCoefficients<>::D1},
+    {"D_3", "(3.47)", finite, &ShahinCoefficients<>::D3},
+    {"D_5", "(3.47)", finite, &ShahinCoefficients<>::D5},
+    {"H_max", "(3.48)", positive, &ShahinCoefficients<>::H_max},
+    {"q", "(3.48), softening", positive, &ShahinCoefficients<>::q},
+    {"x_min",
+     "(3.58), delta/R where low compressibility begins",
+     {0, 1, true, false},
+     &ShahinCoefficients<>::x_min},
+    {"H_min", "(3.58), the bracket there", positive, &ShahinCoefficients<>::H_min},
+    {"L", "(3.59), low compressibility", positive, &ShahinCoefficients<>::L},
+}};
 
 template <class Real = double> struct ShahinCurve {
   LoadingCase loading = LoadingCase::simple;

@@ -74,8 +74,11 @@ TEST(AgarwalFit, FindsTheCoefficientsThatMadeTheCurve) {
   for (const auto& loaded : all)
     for (const auto& c : {published(loaded.loading), changed(loaded.loading)}) {
       const auto fit = fit::fit_agarwal(made(loaded, c));
-      for (const auto& key : law::agarwal_coefficients)
+      EXPECT_EQ(fit.fitted.x_joined, fit.x_from);
+      for (const auto& key : law::agarwal_coefficients) {
+        if (key.key == "x_joined") continue;
         EXPECT_NEAR(fit.fitted.*key.member / (c.*key.member), 1, 1e-4) << loaded.name << ' ' << key.key;
+      }
       EXPECT_GT(fit.of_fitted.points, 20U);
       for (const auto& d : {fit.of_fitted.hardness, fit.of_fitted.radius, fit.of_fitted.force})
         EXPECT_LT(d.largest, 1e-5) << loaded.name;
@@ -102,6 +105,25 @@ TEST(AgarwalFit, MakesACardThatReadsBackAsTheFittedLaw) {
     const auto& p = curve.points[70];
     EXPECT_NEAR(law.loading(2 * p.delta_m).F, p.force_N, 1e-3 * p.force_N) << loaded.name;
     EXPECT_NEAR(law.loading(2 * p.delta_m).a, p.contact_radius_m, 1e-3 * p.contact_radius_m) << loaded.name;
+  }
+}
+
+TEST(AgarwalFit, TheErrorsOfACardAreThoseOfItsLaw) {
+  for (const auto& loaded : all) {
+    auto c = changed(loaded.loading);
+    c.x_h *= 1.5; // a fit may find it far from the published one
+    const auto curve = made(loaded, c, 1.01);
+    const auto fit = fit::fit_agarwal(curve);
+    const auto card = fit::law_card(curve, fit, "text");
+    const auto law = std::get<law::Agarwal>(fit::make_law(card, {{"radius_m", "0.01"}}));
+    double force = 0, radius = 0;
+    for (const auto& p : curve.points) {
+      if (p.delta_bar < fit.of_fitted.from || p.delta_bar > fit.of_fitted.to) continue;
+      force = std::max(force, std::abs(law.loading(2 * p.delta_m).F / p.force_N - 1));
+      radius = std::max(radius, std::abs(law.loading(2 * p.delta_m).a / p.contact_radius_m - 1));
+    }
+    EXPECT_NEAR(std::get<double>(fit::value_of(card.errors, "force_largest")), force, 2e-4) << loaded.name;
+    EXPECT_NEAR(std::get<double>(fit::value_of(card.errors, "radius_largest")), radius, 2e-4) << loaded.name;
   }
 }
 
@@ -172,4 +194,14 @@ TEST(ShahinFit, FindsTheCoefficientsThatMadeTheCurve) {
         const auto& p = curve.points[70];
         EXPECT_NEAR(law.loading(2 * p.delta_m).F, p.force_N, 1e-3 * p.force_N) << loaded.name << inverse_m;
       }
+}
+
+TEST(ShahinFit, LeavesAsPublishedWhatTheCurveDoesNotReach) {
+  const auto c = law::ShahinCoefficients<double>::published(LoadingCase::die, 0.3,
+                                                            law::ShahinVariant::hardening_minimum);
+  auto curve = made(all[1], law::ShahinCurve<double>::make(LoadingCase::die, 0.3, c));
+  curve.inverse_m = 0.3;
+  curve.points.resize(50); // to 0.238, before pressure is least
+  const std::vector<std::string_view> expected = {"D_3", "D_5", "q", "x_min", "H_min", "L"};
+  EXPECT_EQ(fit::fit_shahin(curve).held, expected);
 }

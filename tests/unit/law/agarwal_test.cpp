@@ -71,7 +71,7 @@ TEST(Agarwal, RegimesJoinWithoutStepOrKink) {
 TEST(Agarwal, HertzRadiusJoinsWithoutStepOrKink) {
   for (LoadingCase loading : all_cases)
     for (const Curve& c : thousand_random_curves(loading, AgarwalVariant::hertz_radius))
-      for (double joint : {c.x_y, 3 * c.x_h}) {
+      for (double joint : {c.x_y, c.x_joined}) {
         double a1, a2, s1, s2;
         c.contact_radius(joint * (1 - 1e-14), a1, s1), c.contact_radius(joint * (1 + 1e-14), a2, s2);
         EXPECT_NEAR(a1, a2, 1e-12 * a1);
@@ -83,7 +83,7 @@ TEST(Agarwal, StiffnessIsTheDerivativeOfTheForce) {
   for (auto variant : both_variants)
     for (LoadingCase loading : all_cases)
       for (const Curve& c : thousand_random_curves(loading, variant)) {
-        const double joints[] = {c.x_y, c.x_h, c.x_min, c.x_zp, 3 * c.x_h};
+        const double joints[] = {c.x_y, c.x_h, c.x_min, c.x_zp, c.x_joined};
         for (double f = 0.03; f < 1; f += 0.094) {
           const double x = c.x_y * std::pow(0.55 / c.x_y, f * 1.1 - 0.05), h = 1e-4 * x;
           bool near =
