@@ -39,30 +39,34 @@ template <class Law> double served(const Law& law, double x_low, double x_high) 
 }
 
 TEST(PeakTable, FollowsTheFormulasOfEveryLaw) {
-  double least = 1;
+  double least = 1, sum = 0;
+  int laws = 0;
+  const auto count = [&](double share) { least = std::min(least, share), sum += share, ++laws; };
   for_random_cases(60, [&] {
     const double R = log_between(1e-5, 1e-1);
     EdmansSinkaMaterial es;
     es.sigma_ref = log_between(1e5, 1e9), es.E = es.sigma_ref * log_between(5, 500), es.nu = between(0, 0.45);
     es.k = between(3, 6), es.delta_t = between(0.05, 0.2), es.a = between(1, 5);
-    least = std::min(least, served(prepare(es, R), 1e-3, 0.5));
+    count(served(prepare(es, R), 1e-3, 0.5));
     es.unloadings = 3;
     for (int i = 0; i < 3; ++i)
       es.unload_delta_bar[i] = 0.1 + 0.2 * i, es.alpha[i] = between(1.2, 1.8), es.beta[i] = between(1, 3);
     served(prepare(es, R), 1e-3, 0.5);
 
     const WangMaterial rock{between(10e9, 30e9), between(0.1, 0.3), between(20, 40), between(5e6, 50e6)};
-    least = std::min(least, served(prepare(rock, R), 1e-6, 1e-3));
+    count(served(prepare(rock, R), 1e-6, 1e-3));
     const double sigma_y = log_between(1e6, 1e9);
     for (const LoadingCase loading : {LoadingCase::simple, LoadingCase::die, LoadingCase::hydrostatic}) {
       const AgarwalMaterial metal{sigma_y * log_between(120, 5000), 0.3, sigma_y, loading};
-      least = std::min(least, served(prepare(metal, R), 1e-5, 0.13));
+      count(served(prepare(metal, R), 1e-5, 0.13));
       const ShahinMaterial hardening{1e3 * sigma_y, 0.3, sigma_y, between(0, 1), loading};
-      least = std::min(least, served(prepare(hardening, R), 1e-5, 0.13));
+      count(served(prepare(hardening, R), 1e-5, 0.13));
     }
   });
+  RecordProperty("mean_share_served", std::to_string(sum / laws));
   RecordProperty("least_share_served", std::to_string(least));
-  EXPECT_GT(least, 0.3); // least in rock, whose unloading long stays on the verge of creating energy
+  EXPECT_GT(sum / laws,
+            0.95); // the least where Hertz ends late, and unloading is long near to creating energy
 }
 
 } // namespace
