@@ -1,8 +1,12 @@
 // The implicit update of every model: on the surface, consistent, dissipative, objective in its invariants.
 
+#include "material/models.hpp"
 #include "random_states.hpp"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
 
 using namespace platen::material;
 using namespace platen::material::testing;
@@ -42,12 +46,56 @@ template <class Check> void for_all_materials(Check check) {
 } // namespace
 
 TEST(Update, ZeroStrainGivesZeroStress) {
-  for (const Model& model :
-       {Model(Elastic{100, 0.3}), Model(VonMises{100, 0.3, 1}), Model(corner_materials()[4])}) {
+  const auto check = [](const Model& model) {
     const PointUpdate u = update_one(model, {0, 0, 0}, 0);
-    EXPECT_EQ(u.status, Status::elastic);
-    for (const double s : u.sigma) EXPECT_EQ(s, 0);
-  }
+    EXPECT_EQ(u.status, Status::elastic) << model_name(model);
+    for (const double s : u.sigma) EXPECT_EQ(s, 0) << model_name(model);
+  };
+  for_all_materials(check);
+  for (const Dpc& m : caps(true)) check(m);
+  check(Elastic{100, 0.3});
+  check(MohrCoulomb{1000, 0.2, 27.8, 0.3, 27.8, 0.05});
+}
+
+TEST(Update, StressIsContinuousWhereZonesMeet) {
+  // Between two strains in different zones, halved until they are neighbours.
+  std::mt19937 generator(12);
+  std::map<std::pair<Zone, Zone>, int> met;
+  const auto check = [&](const Model& model, Trial a, const Trial& other, double K) {
+    std::array<double, 3> b = other.eps;
+    PointUpdate at_a = update_one(model, a.eps, a.phi), at_b = update_one(model, b, a.phi);
+    for (int halving = 0; halving < 60 && at_a.zone != at_b.zone; ++halving) {
+      std::array<double, 3> middle;
+      for (int A = 0; A < 3; ++A) middle[A] = (a.eps[A] + b[A]) / 2;
+      if (middle == a.eps || middle == b) break;
+      const PointUpdate u = update_one(model, middle, a.phi);
+      (u.zone == at_a.zone ? a.eps : b) = middle;
+      (u.zone == at_a.zone ? at_a : at_b) = u;
+    }
+    if (at_a.zone == at_b.zone) return;
+    ++met[std::minmax(at_a.zone, at_b.zone)];
+    for (int A = 0; A < 3; ++A)
+      EXPECT_NEAR(at_a.sigma[A], at_b.sigma[A], 1e-9 * K)
+          << model_name(model) << " between zones " << int(at_a.zone) << " and " << int(at_b.zone);
+    EXPECT_NEAR(at_a.phi, at_b.phi, 1e-9) << model_name(model);
+  };
+  const auto check_many = [&](const auto& m) {
+    for (int i = 0; i < 200; ++i) {
+      const Trial a = random_trial(m, generator, 0.1), b = random_trial(m, generator, 0.1);
+      check(m, a, b, m.moduli(a.phi).K);
+    }
+  };
+  for_all_materials(check_many);
+  for (const Dpc& m : caps(true)) check_many(m);
+  std::uniform_real_distribution<double> strain(-0.05, 0.05);
+  const auto random_strain = [&] {
+    return Trial{{strain(generator), strain(generator), strain(generator)}, 0};
+  };
+  for (const double psi : {0.0, 15.0, 27.8})
+    for (int i = 0; i < 200; ++i)
+      check(MohrCoulomb{1000, 0.2, 27.8, 0.3, psi, 0.05}, random_strain(), random_strain(), 1000);
+  EXPECT_GE(std::ranges::count_if(met, [](const auto& pair) { return pair.second > 50; }), 5)
+      << "elastic with shear, compaction and tension; shear with both";
 }
 
 TEST(Update, SmallStrainIsHookesLaw) {
