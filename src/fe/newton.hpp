@@ -3,6 +3,7 @@
 
 #include "fe/axisymmetric.hpp"
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,6 +23,15 @@ struct StepReport {
   std::vector<double> residuals; ///< relative, one an iterate
   bool contact_changed = false;  ///< of any contact point, after the first iterate
   bool zone_changed = false;     ///< of any Gauss point, after the first iterate
+
+  /// Converged in two iterations or more without a change of contact or zone: no kink was crossed.
+  bool smooth() const { return converged && !contact_changed && !zone_changed && residuals.size() >= 3; }
+  /// Smooth, and r_2/r_0 <= 100 (r_1/r_0)^2, down to r_2 = 1e-12.
+  bool quadratic() const {
+    if (!smooth()) return false;
+    const double first = residuals[1] / residuals[0];
+    return residuals[2] <= std::max(100 * first * first * residuals[0], 1e-12);
+  }
 };
 
 /// What Newton asks of a solid and what it touches.

@@ -85,11 +85,8 @@ void count(const fe::StepReport& report, Statistics& counted) {
     return;
   }
   ++counted.steps;
-  if (report.contact_changed || report.zone_changed || report.residuals.size() < 3) return;
-  ++counted.smooth_steps;
-  const auto& r = report.residuals;
-  // r_2/r_0 <= 100 (r_1/r_0)^2, down to rounding.
-  counted.quadratic_steps += r[2] / r[0] <= std::max(100 * (r[1] / r[0]) * (r[1] / r[0]), 1e-12);
+  counted.smooth_steps += report.smooth();
+  counted.quadratic_steps += report.quadratic();
 }
 
 template Totals account_points(const fe::AxisymmetricSolid&, std::vector<PointFlow<fe::AxisymmetricSolid>>&,

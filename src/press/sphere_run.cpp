@@ -32,9 +32,11 @@ fe::ContactStiffness stiffness_for(const Case& c) {
 
 } // namespace
 
-SphereRun::SphereRun(const Case& c)
+SphereRun::SphereRun(const Case& c) : SphereRun(c, newton_for(c)) {}
+
+SphereRun::SphereRun(const Case& c, const fe::NewtonSettings& newton)
     : radius_m(c.radius_m), sigma_ref(material::reference_stress(c.material.model)),
-      solid(mesh_for(c), c.material.model), contact(solid, newton_for(c), stiffness_for(c)) {
+      solid(mesh_for(c), c.material.model), contact(solid, newton, stiffness_for(c)) {
   now.u.assign(solid.unknowns(), 0.0);
   now.change = now.u;
   now.points.resize(solid.points());

@@ -27,6 +27,7 @@ class SphereRun {
   using Flow = PointFlow<fe::AxisymmetricSolid>;
 
   explicit SphereRun(const Case&);
+  SphereRun(const Case&, const fe::NewtonSettings&);
 
   /// Everything that a branch needs to start again from here.
   struct State {

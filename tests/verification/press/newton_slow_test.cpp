@@ -1,0 +1,44 @@
+// The tangent is consistent: where neither contact nor zones change, Newton's residuals fall quadratically
+// down to rounding.
+
+#include "press/sphere_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+
+using namespace platen;
+
+namespace {
+
+/// Loads to a tenth of the radius, then goes on in small steps, which cross few kinks.
+void expect_quadratic(const material::Model& model) {
+  press::Case c;
+  c.material = {"", model};
+  press::SphereRun run(c, {.relative_residual_tolerance = 1e-12});
+  double step = 1e-4;
+  while (run.delta_bar() < 0.1) {
+    const bool converged = run.advance(run.delta_bar() + step).converged;
+    step = converged ? std::min(1.5 * step, c.step_max) : step / 2;
+    ASSERT_GT(step, 1e-7);
+  }
+  constexpr int steps = 100;
+  int smooth = 0, quadratic = 0;
+  for (int i = 0; i < steps; ++i) { // uneven, or the continued motion would be too near for two iterations
+    const fe::StepReport report = run.advance(run.delta_bar() + (i % 2 == 0 ? 2e-5 : 4e-5));
+    smooth += report.smooth();
+    quadratic += report.quadratic();
+  }
+  std::printf("%d of %d steps without change of contact or zone, %d of them quadratic\n", smooth, steps,
+              quadratic);
+  EXPECT_GE(quadratic, 20);
+  EXPECT_EQ(quadratic, smooth);
+}
+
+} // namespace
+
+TEST(Newton, IsQuadraticForAMetal) { expect_quadratic(material::VonMises{100e6, 0.3, 1e6}); }
+TEST(Newton, IsQuadraticForAGranule) {
+  expect_quadratic(material::Vmdc{0.7, 150e6, 15e9, 0.3, 150e6, 1.5e6, 0.7, 10, 7.5, 10, 10, 0.4, 1.5});
+}
