@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Tables and pictures of the pools edmans-sinka and von-mises, beside sections 5 and 6 and Appendix A of the paper.
+"""Tables and pictures of the pools edmans-sinka, von-mises and elastic, beside sections 5 and 6 and Appendix A of the paper.
 
-Usage: report.py PLATEN_PROGRAM STORE_OF_EDMANS_SINKA [STORE_OF_VON_MISES]
+Usage: report.py PLATEN_PROGRAM STORE_OF_EDMANS_SINKA STORE_OF_VON_MISES STORE_OF_ELASTIC
 Writes, beside itself, runs.csv and curves.csv of the pools, edmans-sinka/runs-{c1,hertz-like}.csv, edmans-sinka/report.md and
 edmans-sinka/*.svg. Needs NumPy and gnuplot."""
 
@@ -12,7 +12,7 @@ here = pathlib.Path(__file__).resolve().parent
 pool = here / "edmans-sinka"
 scratch = tempfile.TemporaryDirectory()  # gone at the end
 work = pathlib.Path(scratch.name)
-platen, es_store = sys.argv[1:3]
+platen, es_store, metal_store, elastic_store = sys.argv[1:5]
 
 
 def table(path):
@@ -37,8 +37,11 @@ def export(name, store, variant, target, curves=None):
 forms = {"published": "", "c1": "-c1", "hertz-like": "-hertz-like"}
 runs = {v: export("edmans-sinka", es_store, v, pool / f"runs{s}.csv", None if s else pool / "curves.csv")
         for v, s in forms.items()}
-metal = [] if len(sys.argv) < 4 else export("von-mises", sys.argv[3], "published", here / "von-mises" / "runs.csv",
-                                            here / "von-mises" / "curves.csv")
+def reference(name, store):
+    return export(name, store, "published", here / name / "runs.csv", here / name / "curves.csv")
+
+
+metal, elastic = reference("von-mises", metal_store), reference("elastic", elastic_store)
 
 
 def curves_of(path):
@@ -50,7 +53,7 @@ def curves_of(path):
     return {r: {b: np.array(p) for b, p in branches.items()} for r, branches in found.items()}
 
 
-porous, plain = curves_of(pool / "curves.csv"), curves_of(here / "von-mises" / "curves.csv") if metal else {}
+porous, plain, springs = (curves_of(here / name / "curves.csv") for name in ("edmans-sinka", "von-mises", "elastic"))
 E = lambda row: row["material.E_bar"]
 G = lambda row: row["material.Gamma_bar"]
 L = lambda row: row["material.Lambda_bar"]
@@ -81,21 +84,20 @@ say("\nThe paper has a least R² of 0.998825 and a median of 0.999948, of one br
 
 # --- against von Mises (5.1): F_bar of a metal with the yield stress Gamma_bar ---
 excess = {}
-if metal:
-    say("## Load over that of the perfectly plastic counterpart, less one\n")
-    say("| δ̄ | median | least | most | within 5 % |\n|---|---|---|---|---|")
-    for x in (0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5):
-        values = []
-        for row in runs["published"]:
-            other = counterpart.get(round(E(row) / G(row), 4))
-            if other is None: continue
-            curve = porous[int(row["run"])][0]
-            ratio = np.interp(x, curve[:, 0], curve[:, 1]) / (G(row) * np.interp(x, other[:, 0], other[:, 1]))
-            values.append(ratio - 1)
-            excess[(int(row["run"]), x)] = ratio - 1
-        v = np.array(values)
-        say(f"| {x} | {percent(np.median(v))} | {percent(v.min())} | {percent(v.max())} | {(abs(v) <= 0.05).sum()} of {len(v)} |")
-    say()
+say("## Load over that of the perfectly plastic counterpart, less one\n")
+say("| δ̄ | median | least | most | within 5 % |\n|---|---|---|---|---|")
+for x in (0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5):
+    values = []
+    for row in runs["published"]:
+        other = counterpart.get(round(E(row) / G(row), 4))
+        if other is None: continue
+        curve = porous[int(row["run"])][0]
+        ratio = np.interp(x, curve[:, 0], curve[:, 1]) / (G(row) * np.interp(x, other[:, 0], other[:, 1]))
+        values.append(ratio - 1)
+        excess[(int(row["run"]), x)] = ratio - 1
+    v = np.array(values)
+    say(f"| {x} | {percent(np.median(v))} | {percent(v.min())} | {percent(v.max())} | {(abs(v) <= 0.05).sum()} of {len(v)} |")
+say()
 
 # --- Appendix A ---
 terms = {"k": lambda g, e: [g * np.log(e), g, np.log(e), 1 + 0 * g],
@@ -141,19 +143,18 @@ Es, Gs, Ls = (sorted({f(row) for row in runs["published"]}) for f in (E, G, L))
 at = {(E(row), G(row), L(row)): row for row in runs["published"]}
 
 # Fig. 6: where compaction matters, at the largest overlap
-if metal:
-    panels = []
-    for l in Ls:
-        lines = [f"{i} {j} {100 * excess[(int(at[e, g, l]['run']), 0.5)]:.2f}" for i, e in enumerate(Es) for j, g in enumerate(Gs)
-                 if (e, g, l) in at and (int(at[e, g, l]["run"]), 0.5) in excess]
-        (work / f"excess-{l:g}").write_text("\n".join(lines))
-        panels.append(f"set title 'Λ̄₀ = {l:g}'; plot '{work / f'excess-{l:g}'}' using 1:2:3 with image notitle, "
-                      f"'' using 1:2:(sprintf('%.0f', $3)) with labels notitle")
-    tics = lambda values: "(" + ", ".join(f"'{v:g}' {i}" for i, v in enumerate(values)) + ")"
-    plot("excess", f"unset grid; set xtics {tics(Es)} rotate; set ytics {tics(Gs)}; set xlabel 'E̅₀'; set ylabel 'Γ̄₀'\n"
-         "set cbrange [-100:100]; set palette defined (-1 '#2166ac', 0 '#ffffff', 1 '#b2182b')\n"
-         "set multiplot layout 2,2 title 'load over that of von Mises at δ/R₀ = 0.5, less one (%)'\n" + "\n".join(panels)
-         + "\nunset multiplot", "1100,700")
+panels = []
+for l in Ls:
+    lines = [f"{i} {j} {100 * excess[(int(at[e, g, l]['run']), 0.5)]:.2f}" for i, e in enumerate(Es) for j, g in enumerate(Gs)
+             if (e, g, l) in at and (int(at[e, g, l]["run"]), 0.5) in excess]
+    (work / f"excess-{l:g}").write_text("\n".join(lines))
+    panels.append(f"set title 'Λ̄₀ = {l:g}'; plot '{work / f'excess-{l:g}'}' using 1:2:3 with image notitle, "
+                  f"'' using 1:2:(sprintf('%.0f', $3)) with labels notitle")
+tics = lambda values: "(" + ", ".join(f"'{v:g}' {i}" for i, v in enumerate(values)) + ")"
+plot("excess", f"unset grid; set xtics {tics(Es)} rotate; set ytics {tics(Gs)}; set xlabel 'E̅₀'; set ylabel 'Γ̄₀'\n"
+     "set cbrange [-100:100]; set palette defined (-1 '#2166ac', 0 '#ffffff', 1 '#b2182b')\n"
+     "set multiplot layout 2,2 title 'load over that of von Mises at δ/R₀ = 0.5, less one (%)'\n" + "\n".join(panels)
+     + "\nunset multiplot", "1100,700")
 
 # Fig. 11: cumulative distribution of errors
 parts = []
@@ -190,19 +191,20 @@ for name, label in (("k", "k"), ("delta_t", "δ̄_t"), ("a", "a")):
     panels.append(f"set ylabel '{label}'; plot " + ", ".join(parts))
 plot("parameters", "set logscale x; set xlabel 'Ē₀'; set key outside right\nset multiplot layout 3,1\n" + "\n".join(panels) + "\nunset multiplot", "1000,1300")
 
-# Figs 15, 16: unloading of the corners, with metals beside
+# Figs 15, 16: unloading of the corners, with metals and an elastic sphere beside
 overlaps = sorted(float(c[3:]) for c in runs["published"][0] if c.startswith("R2_"))
 corners = [at[c] for c in ((e, g, l) for e in (3, 500) for g in (0.25, 1) for l in (0.01, 1)) if c in at]
-series = [(f"Ē₀ = {E(r):g}, Γ̄₀ = {G(r):g}, Λ̄₀ = {L(r):g}", r, porous) for r in corners] + [
-    (f"von Mises, E/σ_y = {E(r):g}", r, plain) for r in metal if round(E(r), 3) in (3, 12, 500, 2000)]
+series = [(f"Ē₀ = {E(r):g}, Γ̄₀ = {G(r):g}, Λ̄₀ = {L(r):g}", r, porous, 1) for r in corners] + [
+    (f"von Mises, E/σ_y = {E(r):g}", r, plain, 2) for r in metal if round(E(r), 3) in (3, 12, 500, 2000)] + [
+    ("elastic, ν = 0.3", r, springs, 3) for r in elastic if r["material.nu"] == 0.3]
 radius = lambda row, curves, x: np.interp(x, curves[int(row["run"])][0][:, 0], curves[int(row["run"])][0][:, 2])
 for name, xlabel, columns, of in (("unloading", "δ/R₀ at which unloading begins", ("alpha", "beta"), lambda r, c, x: x),
                                   ("unloading-radius", "contact radius/R₀", ("beta",), radius)):
     panels = []
     for column in columns:
         parts = [f"{data(f'{name}-{column}-{i}', [[of(r, c, x) for x in overlaps], [r[f'{column}_{x:g}'] for x in overlaps]])} "
-                 f"with linespoints linewidth 2 dashtype {2 if c is plain else 1} title '{title}'"
-                 for i, (title, r, c) in enumerate(series)]
+                 f"with linespoints linewidth 2 dashtype {dash} title '{title}'"
+                 for i, (title, r, c, dash) in enumerate(series)]
         panels.append(f"set ylabel '{ {'alpha': 'α', 'beta': 'β'}[column] }'; plot " + ", ".join(parts))
     plot(name, f"set key outside right; set xlabel '{xlabel}'\nset multiplot layout {len(columns)},1\n" + "\n".join(panels)
          + "\nunset multiplot", f"1000,{450 * len(columns)}")
