@@ -13,7 +13,9 @@
 // (nu = 0.5).
 //   published  with the jumps; where one falls (nu > 0.41, at 110) the force is held until reached again
 //   joined     the least of the four, which is continuous; differs by those jumps, near them
-// The paper unloads nowhere: generic unloading. Valid to omega = 110.
+// Where full plasticity, as joined, begins beyond omega = 176 (nu < 0.23) the area would fall by up to 10 %
+// and unloading give back more than was put in: it is held until reached again. The paper unloads nowhere:
+// generic unloading. Valid to omega = 110.
 
 #include "platen/law/contact.hpp"
 #include "platen/law/pair.hpp"
@@ -61,7 +63,9 @@ template <class Real = double> struct KogutEtsion {
     const Real omega = gamma / gamma_c;
     const Piece& p = piece(omega);
     const Real F = F_c * p.c * pow(omega, p.n);
-    return {F, p.n * F / gamma, sqrt(gamma_c / pair.A * p.d * pow(omega, p.m)), Real(1.5), Real(0.5)};
+    const Real a = sqrt(gamma_c / pair.A * p.d * pow(omega, p.m));
+    if (p.m < Real(1)) return {F, p.n * F / gamma, a, Real(1), Real(0)}; // the area is held
+    return {F, p.n * F / gamma, a, Real(1.5), Real(0.5)};
   }
 
   [[nodiscard]] PLATEN_HOT bool in_range(const Real& gamma) const {
@@ -111,7 +115,9 @@ inline KogutEtsion<double> prepare_kogut_etsion(std::string_view name, const Kog
   p[3] = p[4] = {110, full, 1, 2, 1};
   if (soft.variant == JointVariant::joined) {
     for (std::size_t i = 1; i < 4; ++i) p[i].start = std::pow(p[i].c / p[i - 1].c, 1 / (p[i - 1].n - p[i].n));
+    const double area = p[2].d * std::pow(p[3].start, p[2].m);
     p[4] = p[3];
+    if (const double again = area / 2; again > p[3].start) p[3].d = area, p[3].m = 0, p[4].start = again;
   } else if (const double held = p[2].c * std::pow(110, p[2].n); full * 110 < held) {
     p[3] = {110, held, 0, 2, 1};
     p[4].start = held / full;
