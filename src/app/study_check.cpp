@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/progress.hpp"
+#include "core/version.hpp"
 #include "study/pool.hpp"
 
 #include <CLI/CLI.hpp>
@@ -34,9 +35,13 @@ void check(const Options& o) {
                     fmt::format("{} of {} runs", t.done + t.failed, t.runs));
     });
   }
+  const double tolerance = study::tolerance(pool);
+  if (pool.engine != std::to_string(core::engine))
+    fmt::print("the pool was pressed by engine {}, this is engine {}: runs are the same within {}\n",
+               pool.engine, core::engine, tolerance);
   int different = 0;
   for (const auto& c : comparisons) {
-    const bool good = c.difference && *c.difference <= study::pool_tolerance;
+    const bool good = c.difference && *c.difference <= tolerance;
     different += !good;
     fmt::print("run {:>4}: {}\n", c.run + 1,
                c.difference ? fmt::format("{}, largest difference {:.2g}", good ? "as before" : "DIFFERENT",
@@ -47,7 +52,7 @@ void check(const Options& o) {
     throw core::InvalidInput(
         fmt::format("{}: {} of {} runs differ from the pool by more than {}; where the press was "
                     "meant to change, raise the engine number and compute the pool again",
-                    o.pool, different, comparisons.size(), study::pool_tolerance));
+                    o.pool, different, comparisons.size(), tolerance));
 }
 
 } // namespace

@@ -75,9 +75,10 @@ Evaluation AxisymmetricSolid::evaluate(std::span<const double> u) {
   return Evaluation::done;
 }
 
-void AxisymmetricSolid::linearise() {
+void AxisymmetricSolid::linearise(double added) {
   Stopwatch watch(times.assembly_s);
-  for (int e = 0; e < static_cast<int>(mesh.quads.size()); ++e) assemble_tangent(e);
+  const double two_G_added = added * material::initial_E(model) / (1 + material::initial_nu(model));
+  for (int e = 0; e < static_cast<int>(mesh.quads.size()); ++e) assemble_tangent(e, two_G_added);
 }
 
 /// Deformation gradients, mean dilatations and trial strains.
@@ -155,8 +156,9 @@ void AxisymmetricSolid::assemble_forces() {
 // Written in the principal axes of b_e^tr, where l_AB = d(u_A)/d(x_B) of a nodal unknown:
 //   lbar_AA C_AB lbar_BB + (l_12 + l_21)(beta_1 l_12 + beta_2 l_21) - tau_A l_Ak l_kA + tau_m tr(l l)
 //   + P [(1/v) int (tr l tr l - tr(l l)) dv - b b]
-// with tau_m = tr(tau)/3, P = int tau_m dV, b = d(ln J_bar)/du, lbar_AA = l_AA + (b - tr l)/3.
-void AxisymmetricSolid::assemble_tangent(int e) {
+// with tau_m = tr(tau)/3, P = int tau_m dV, b = d(ln J_bar)/du, lbar_AA = l_AA + (b - tr l)/3. Where material
+// flows, two_G_added times the deviatoric projection is added to D.
+void AxisymmetricSolid::assemble_tangent(int e, double two_G_added) {
   const double J_bar = element_J[e], v = J_bar * element_volume[e];
   double tr[4][8], b[8] = {}, P = 0;
   // The matrix is a sum of products of a vector with a transposed vector: nine a Gauss point, and the mean
@@ -189,9 +191,11 @@ void AxisymmetricSolid::assemble_tangent(int e) {
       ltt[2 * a] = k.N_over_r[a], ltt[2 * a + 1] = 0;
     }
     double tau[3], C[3][3];
+    const double stiffer = point.zone == material::Zone::elastic ? 0 : two_G_added;
     for (int A = 0; A < 3; ++A) {
       tau[A] = w * J_bar * point.sigma[A];
-      for (int B = 0; B < 3; ++B) C[A][B] = w * J_bar * point.D[A][B] + tau[A];
+      for (int B = 0; B < 3; ++B)
+        C[A][B] = w * J_bar * (point.D[A][B] + stiffer * ((A == B) - 1.0 / 3)) + tau[A];
     }
     const double tau_m = (tau[0] + tau[1] + tau[2]) / 3;
     // (tau_1 - tau_2)/(b_1 - b_2), or its limit for equal stretches.

@@ -43,8 +43,9 @@ class AxisymmetricSolid {
   /// Internal forces (2 pi included, unit R0^2 Pa) at displacements u (r and z of each node, in units of R0),
   /// from the state `committed`. Where it fails the rest is unspecified.
   [[nodiscard]] Evaluation evaluate(std::span<const double> u);
-  /// The tangent at the last evaluation.
-  void linearise();
+  /// The tangent at the last evaluation; where material flows, stiffer by `added` of the initial elastic
+  /// shear stiffness, which makes Newton's corrections smaller, not its solution another.
+  void linearise(double added = 0);
 
   /// Makes the state of the last evaluation the committed one.
   void commit();
@@ -78,7 +79,7 @@ class AxisymmetricSolid {
 
   bool deform(std::span<const double> u);
   void assemble_forces();
-  void assemble_tangent(int element);
+  void assemble_tangent(int element, double two_G_added);
 
   std::vector<Shape> shapes;
   std::vector<Kinematics> kinematics;

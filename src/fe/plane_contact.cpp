@@ -132,7 +132,10 @@ Evaluation PlaneContact::evaluate(const std::vector<double>& x, Residual& residu
 
 /// Factorises the tangent of solid and contact. False where it is singular.
 bool PlaneContact::linearise(const Residual& residual) {
-  solid.linearise();
+  // Far from equilibrium perfectly plastic points at the contact edge give way to any force, and corrections
+  // turn the small elements there inside out. The addition goes with the residual: the last corrections are
+  // Newton's own.
+  solid.linearise(std::min(0.1 * residual.relative, 0.3));
   for (std::size_t e = 0; e < edges.size(); ++e)
     for (int i = 0; i < points_per_edge; ++i) {
       if (!residual.touching[e * points_per_edge + i]) continue;

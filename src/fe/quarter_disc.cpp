@@ -128,17 +128,25 @@ struct Counts {
   int depth;  ///< below the sphere
   int centre; ///< from the centre to the pole block, and along the sphere in the equator block
   int fine;   ///< rows below the sphere that have three columns for one
+  bool twice; ///< the outermost row has nine
   int elements() const {
-    return pole * depth + pole * centre + depth * centre + (3 + 3 * fine) * (pole + centre);
+    const int on_sphere = pole + centre;
+    return pole * depth + pole * centre + depth * centre + added(fine) * on_sphere +
+           (twice ? added(1) * 3 * on_sphere : 0);
   }
+
+ private:
+  static constexpr int added(int rows) { return 3 + 3 * rows; } ///< by a refinement, an edge on the sphere
 };
 
 Counts counts_for(int elements) {
-  const auto scaled = [](double scale) {
+  // On coarser meshes the small elements would lie on large ones, and be folded by them.
+  constexpr int least_twice = 1000;
+  const auto scaled = [elements](double scale) {
     const auto count = [&](double n, int least) {
       return std::max(least, static_cast<int>(std::lround(n * scale)));
     };
-    return Counts{count(5, 4), count(6.5, 6), count(2, 2), count(1, 1)};
+    return Counts{count(5, 4), count(6.5, 6), count(2, 2), count(1, 1), elements >= least_twice};
   };
   double scale = 0.5;
   while (scaled(scale * 1.01).elements() <= elements) scale *= 1.01;
@@ -158,7 +166,7 @@ std::vector<double> with_surface_row(int n, double ratio, double share) {
 } // namespace
 
 AxisymmetricMesh quarter_disc(int elements) {
-  const auto [n, d, m, fine] = counts_for(elements);
+  const auto [n, d, m, fine, twice] = counts_for(elements);
   // Split points: on the axis, on the equator, on the sphere, inside. The block at the pole is the large one,
   // since the contact grows over it.
   constexpr double angle = 1.15;
@@ -181,6 +189,7 @@ AxisymmetricMesh quarter_disc(int elements) {
   b.block(straight(on_equator, E), straight(inside, on_sphere), straight(on_equator, inside),
           arc(std::numbers::pi / 2, angle), far_depth, far_depth, even_m, even_m);
   refine_surface(b, fine);
+  if (twice) refine_surface(b, 1);
 
   AxisymmetricMesh& mesh = b.mesh;
   std::map<double, int> on_surface;

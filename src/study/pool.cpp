@@ -3,6 +3,7 @@
 #include "core/csv.hpp"
 #include "core/error.hpp"
 #include "core/number.hpp"
+#include "core/version.hpp"
 #include "study/derived.hpp"
 #include "study/random.hpp"
 #include "study/table.hpp"
@@ -98,9 +99,8 @@ Comparison compare(std::size_t run, const Rows& pool, const Rows& again) {
 } // namespace
 
 Pool read_pool(const fs::path& folder) {
-  Pool pool{folder, read_study((folder / "study.toml").string()), 0, {}, {}, {}};
   const auto runs = core::read_csv(folder / "runs.csv"), curves = core::read_csv(folder / "curves.csv");
-  const auto engine = runs.note("engine");
+  Pool pool{folder, read_study((folder / "study.toml").string()), runs.note("engine"), 0, {}, {}, {}};
   const auto key = runs.column("key"), state = runs.column("state"), cpu_s = runs.column("cpu_s");
   if (runs.rows.size() != pool.study.runs.size())
     throw core::InvalidInput(fmt::format("{}: {} runs, where the study has {}; export it again", runs.file,
@@ -108,7 +108,7 @@ Pool read_pool(const fs::path& folder) {
   for (std::size_t i = 0; i < runs.rows.size(); ++i) {
     const auto& row = runs.rows[i];
     // One engine: the keys say whether these are the runs of the study.
-    if (const auto number = core::number_from(engine);
+    if (const auto number = core::number_from(pool.engine);
         number && row.cells[key] != key_of(pool.study.runs[i].press_case, static_cast<int>(*number)))
       throw core::InvalidInput(fmt::format("{}, line {}: the key is not that of run {} of the study: the "
                                            "study, or a card that it names, changed; "
@@ -121,6 +121,8 @@ Pool read_pool(const fs::path& folder) {
   pool.curves = curves_of(curves, pool.study.runs.size());
   return pool;
 }
+
+double tolerance(const Pool& pool) { return pool.engine == std::to_string(core::engine) ? 1e-3 : 0.03; }
 
 std::vector<std::size_t> two_cheap(const Pool& pool) {
   std::vector<std::size_t> done;

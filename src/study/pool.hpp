@@ -16,6 +16,7 @@ namespace platen::study {
 struct Pool {
   std::filesystem::path folder;
   Study study;
+  std::string engine;              ///< that pressed it; several where it was continued with another
   double step = 0;                 ///< of the grid of its curves
   std::vector<std::string> states; ///< of the runs: done, failed, missing
   std::vector<double> cpu_s;
@@ -45,8 +46,9 @@ struct Comparison {
 std::vector<Comparison> recompute(const Pool&, const std::vector<std::size_t>& runs, double until,
                                   int workers, const std::function<void(const Tally&)>& show);
 
-/// The same machine and compiler give the same curve to its six digits; others change in which iteration a
-/// step is found good enough, and thereby the steps.
-inline constexpr double pool_tolerance = 1e-3;
+/// What a run may differ by. The same machine and compiler give the same curve to its six digits; others
+/// change in which iteration a step is found good enough, and thereby the steps: 1e-3. Of the pool of another
+/// engine no more is asked than that both are right, within the error of their contact radii: 0.03.
+double tolerance(const Pool&);
 
 } // namespace platen::study

@@ -230,6 +230,12 @@ echo "1 small" >older/study.txt
 for run in older/runs/*; do # the keys that engine 1 would have given
   mv "$run" "older/runs/$( (echo 'engine = 1' && cat "$run/case.toml") | sha256sum | head -c 32)"
 done
+mkdir older-pool && cp study.toml older-pool
+"$platen" study export study.toml --store older -o older-pool/runs.csv --curves older-pool/curves.csv
+"$platen" study check older-pool --cheapest --until 0.005 >answer 2>&1 &&
+  grep -q 'pressed by engine 1, this is .* within 0.03' answer || fails "the pool of another engine: $(cat answer)"
+sed -i -E 's/^([0-9]+,0,loading,0.0025),([^,]*)/\1,0.9/' older-pool/curves.csv
+refuses 2 "differ from the pool by more than 0.03" "$platen" study check older-pool --cheapest --until 0.005
 refuses 2 "give --keep to count the old runs" "$platen" study run study.toml --store older
 refuses 2 "has runs of engine 1" "$platen" study merge study.toml --store third --from older
 [ -e third ] && fails "a refused merge left a store behind"
@@ -248,7 +254,7 @@ same again
 cat >weak-case.toml <<'T'
 platen = 1
 experiment = "simple"
-material = { platen = 1, name = "weak", model = "drucker-prager", parameters = { E_Pa = 1e10, nu = 0.15, phi_deg = 60, sigma_c_Pa = 1e3 } }
+material = { platen = 1, name = "weak", model = "drucker-prager", parameters = { E_Pa = 1e10, nu = 0.15, phi_deg = 60, sigma_c_Pa = 1 } }
 radius_m = 1e-3
 [path]
 delta_bar_max = 0.005
@@ -260,7 +266,7 @@ case = "weak-case.toml"
 [design]
 kind = "factorial"
 [factors]
-"material.sigma_c_Pa" = { values = [1e3, 1e6] }
+"material.sigma_c_Pa" = { values = [1, 1e6] }
 "mesh.elements" = { values = [32] }
 T
 "$platen" study run weak.toml --store weak >answer 2>&1 && grep -q 'note: 1 of 2 presses failed' answer || fails "a study with a failure: $(cat answer)"

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -13,8 +14,8 @@ using namespace platen;
 namespace {
 
 /// The tangent, summed from its element matrices; by rows.
-std::vector<double> dense_tangent(fe::AxisymmetricSolid& solid) {
-  solid.linearise();
+std::vector<double> dense_tangent(fe::AxisymmetricSolid& solid, double added = 0) {
+  solid.linearise(added);
   const int n = solid.unknowns();
   std::vector<double> K(n * n);
   for (int e = 0; e < static_cast<int>(solid.mesh.quads.size()); ++e) {
@@ -113,6 +114,32 @@ TEST(AxisymmetricSolid, PlasticTangentMatchesDifferences) {
     for (std::size_t i = 0; i < u.size(); ++i) u[i] *= 1.15;
     EXPECT_LT(tangent_error(solid, u, 2e-6), 1e-6) << model.index();
   }
+}
+
+TEST(AxisymmetricSolid, AddedStiffnessIsOfShearWhereMaterialFlows) {
+  fe::AxisymmetricSolid solid(fe::quarter_disc(40), material::VonMises{100, 0.3, 1});
+  const auto work_of_addition = [&](const std::vector<double>& v) {
+    const auto K = dense_tangent(solid), stiffer = dense_tangent(solid, 0.3);
+    double sum = 0;
+    for (std::size_t i = 0; i < v.size(); ++i)
+      for (std::size_t j = 0; j < v.size(); ++j)
+        sum += v[i] * (stiffer[i * v.size() + j] - K[i * v.size() + j]) * v[j];
+    return sum;
+  };
+  const auto u = deformed(solid, 1e-3);
+  auto little = u;
+  for (double& x : little) x *= 1e-3;
+  ASSERT_EQ(solid.evaluate(little), fe::Evaluation::done);
+  EXPECT_EQ(work_of_addition(u), 0) << "nothing flows";
+  ASSERT_EQ(solid.evaluate(u), fe::Evaluation::done);
+  const auto flowing = zones(solid);
+  ASSERT_NE(std::count(flowing.begin(), flowing.end(), material::Zone::shear), 0);
+  const double of_shear = work_of_addition(u);
+  EXPECT_GT(of_shear, 0);
+  std::vector<double> dilatation; // of the deformed shape, as large
+  for (std::size_t i = 0; i < solid.mesh.nodes.size(); ++i)
+    for (int k = 0; k < 2; ++k) dilatation.push_back(1e-3 * (solid.mesh.nodes[i][k] + u[2 * i + k]));
+  EXPECT_NEAR(work_of_addition(dilatation), 0, 1e-9 * of_shear);
 }
 
 TEST(AxisymmetricSolid, UniformStretchIsExact) {

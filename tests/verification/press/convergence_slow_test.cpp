@@ -47,7 +47,6 @@ TEST_P(Convergence, OfTheDefaultMeshIsNearTheLimitOfThreeMeshes) {
                  radius = error(&press::CurvePoint::contact_radius_m);
     std::printf("E/sigma_y %.0f, delta_bar %.2f: force %+.2f %%, radius %+.2f %%\n", GetParam(), compared[i],
                 force, radius);
-    // The largest is -0.92 %, of E/sigma_y = 500 at 0.05: where on its scallop the point lies.
     EXPECT_LT(std::abs(force), 1) << compared[i];
     EXPECT_LT(std::abs(radius), 2) << compared[i];
   }

@@ -26,7 +26,7 @@ void expect_quadratic(const material::Model& model) {
   constexpr int steps = 100;
   int smooth = 0, quadratic = 0;
   for (int i = 0; i < steps; ++i) { // uneven, or the continued motion would be too near for two iterations
-    const fe::StepReport report = run.advance(run.delta_bar() + (i % 2 == 0 ? 2e-5 : 4e-5));
+    const fe::StepReport report = run.advance(run.delta_bar() + (i % 2 == 0 ? 0.8e-5 : 1.6e-5));
     smooth += report.smooth();
     quadratic += report.quadratic();
   }
