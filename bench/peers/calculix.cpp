@@ -16,8 +16,9 @@
 namespace platen::bench {
 namespace {
 
-/// Pressure per penetration of the contact (sigma_y/R0): stiffer changes nothing, and slows the iteration.
-constexpr double contact_stiffness = 1e6;
+/// Pressure per penetration of the contact (sigma_y/R0): a mean pressure penetrates by 0.00006 R0, 0.3 % of
+/// the smallest overlap compared. At 100,000 CalculiX finds no set of faces in contact on the small elements.
+constexpr double contact_stiffness = 5e4;
 /// CalculiX makes a sector of 2 degrees of an axisymmetric model, and reports its force.
 constexpr double sectors = 180;
 

@@ -13,7 +13,7 @@ namespace platen::bench {
 struct PressOfPeer {
   double E_bar = 100; ///< E/sigma_y
   double nu = 0.3;
-  double step_max = 0.005;       ///< largest increment of delta_bar
+  double step_max = 0.001;       ///< largest increment of delta_bar
   std::vector<double> delta_bar; ///< where forces are compared, ascending; the last one is the end
 };
 

@@ -141,10 +141,12 @@ TEST(Unloading, OfTheNineMaterialsFollowsThePowerLawAndReturnsNoMoreThanIsStored
   const Table table = unloaded(nine());
   print("nine materials, five branches each", table.branches);
   print("nine materials, from delta_bar = 0.5", table.ends);
-  EXPECT_GT(least(table.ends, &RSquared::contact), 0.998825);  // ES section 6.3, their least
-  EXPECT_GT(middle(table.ends, &RSquared::whole), 0.999948);   // and their median
+  // ES section 6.3: least 0.998825, median 0.999948. From which overlap, and whether with the stretch below
+  // delta_0, it does not say.
+  EXPECT_GT(least(table.branches, &RSquared::whole), 0.9988);
+  EXPECT_GT(middle(table.branches, &RSquared::whole), 0.999948);
+  EXPECT_GT(least(table.ends, &RSquared::contact), 0.998825);
   EXPECT_GT(least(table.branches, &RSquared::contact), 0.996); // see docs/explanation/unloading.md
-  EXPECT_GT(least(table.branches, &RSquared::whole), 0.998);
 }
 
 TEST(Unloading, OfThePowdersFollowsThePowerLawAndReturnsNoMoreThanIsStored) {

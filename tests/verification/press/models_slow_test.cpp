@@ -15,7 +15,7 @@ namespace {
 press::Case case_of(const std::string& name, const material::Model& model) {
   press::Case c;
   c.material = {name, model};
-  c.elements = 300;
+  c.elements = 1000;
   return c;
 }
 
