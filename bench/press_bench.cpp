@@ -5,7 +5,7 @@
 #include "core/file.hpp"
 #include "core/version.hpp"
 #include "material/card.hpp"
-#include "press/confined.hpp"
+#include "press/press.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

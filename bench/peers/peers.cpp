@@ -6,7 +6,7 @@
 #include "core/version.hpp"
 #include "material/card.hpp"
 #include "peers/calculix.hpp"
-#include "press/simple.hpp"
+#include "press/press.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -24,7 +24,8 @@ namespace {
 
 struct Options {
   std::string material, folder = "out", law = "edmans-sinka", variant = "published", unload_from, model;
-  press::Case press_case;
+  press::Simple experiment;
+  double radius_m = press::Case{}.radius_m;
   std::optional<double> delta_bar_max, force_max_N;
   std::vector<std::string> simple_only; ///< options given that the local press does not have
   bool json = false;
@@ -59,12 +60,12 @@ std::vector<double> unloading(const std::string& text, double delta_bar_max) {
 void derive_simple(const Options& o, const material::Material& material) {
   check_variant(o.variant);
   if (o.force_max_N) throw core::InvalidInput("--force_max_N is for --law wang; give --delta_bar_max");
-  press::Case c = o.press_case;
-  c.material = material;
-  if (o.delta_bar_max) c.delta_bar_max = *o.delta_bar_max;
-  c.unload_from = unloading(o.unload_from, c.delta_bar_max);
+  press::Simple e = o.experiment;
+  if (o.delta_bar_max) e.delta_bar_max = *o.delta_bar_max;
+  e.unload_from = unloading(o.unload_from, e.delta_bar_max);
+  e.fields_at = moments(e.delta_bar_max);
+  const press::Case c{material, o.radius_m, e};
   press::validate(c);
-  c.fields_at = moments(c.delta_bar_max);
 
   const OutputFolder folder(o.folder);
   const press::Result result = press_into(c, folder, Fields::pictures).result;
@@ -78,7 +79,7 @@ void derive_simple(const Options& o, const material::Material& material) {
     return;
   }
   const std::string at = folder.path().string();
-  fmt::print("{}: pressed to delta_bar = {:.4g} in {:.1f} s; {}\n{}", c.material.name, c.delta_bar_max,
+  fmt::print("{}: pressed to delta_bar = {:.4g} in {:.1f} s; {}\n{}", c.material.name, e.delta_bar_max,
              result.statistics.total_s, press::tension_words(result.curve, c.material.tensile_strength),
              fit_words(law));
   fmt::print("  law card       {0}/law.toml\n  curve          {0}/curve.csv, with the law {0}/curve.svg\n"
@@ -97,7 +98,7 @@ void derive(const Options& o) {
   if (!o.simple_only.empty())
     throw core::InvalidInput(fmt::format("{} is not for --law wang", fmt::join(o.simple_only, ", ")));
   derive_local(
-      {material, o.folder, o.press_case.radius_m, o.delta_bar_max, o.force_max_N, o.unload_from, o.json});
+      {material, o.folder, o.radius_m, o.delta_bar_max, o.force_max_N, o.unload_from, o.json});
 }
 
 } // namespace
@@ -123,7 +124,7 @@ void add_derive(CLI::App& program) {
           "--unload_from", o->unload_from,
           "delta/R0 from which branches unload: 0.1,0.3; none; default: five up to the end (wang: four)")
       ->type_name("LIST");
-  command->add_option("--radius_m", o->press_case.radius_m, "radius; the law does not depend on it")
+  command->add_option("--radius_m", o->radius_m, "radius; the law does not depend on it")
       ->type_name("NUMBER")
       ->capture_default_str();
   command
@@ -131,7 +132,7 @@ void add_derive(CLI::App& program) {
                    "how far to press, delta/R0 in (0, 0.5]; default 0.5, wang: five times first yield")
       ->type_name("NUMBER");
   command->add_option("--force_max_N", o->force_max_N, "wang: how far to press")->type_name("NUMBER");
-  auto* elements = command->add_option("--elements", o->press_case.elements, "wanted number of elements")
+  auto* elements = command->add_option("--elements", o->experiment.elements, "wanted number of elements")
                        ->type_name("NUMBER")
                        ->capture_default_str();
   command->add_flag("--json", o->json, "for a machine to read");

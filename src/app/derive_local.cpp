@@ -48,19 +48,17 @@ fit::FirstYield first_yield(const material::Material& material, double radius_m)
 
 press::Case case_of(const LocalDerivation& d) {
   const fit::FirstYield yield = first_yield(d.material, d.radius_m);
-  press::Case c;
-  c.experiment = "local";
-  c.material = d.material;
-  c.radius_m = d.radius_m;
-  c.first_contact_bar = rounded(0.5 * yield.contact_radius_m / d.radius_m);
+  press::Local e;
+  e.first_contact_bar = rounded(0.5 * yield.contact_radius_m / d.radius_m);
   const bool by_force = d.force_max_N && !d.delta_bar_max;
-  if (d.force_max_N) c.force_max_N = *d.force_max_N;
-  else c.force_max_N = std::numeric_limits<double>::infinity();
-  if (!by_force) c.delta_bar_max = d.delta_bar_max.value_or(rounded(omega_end * yield.delta_m / d.radius_m));
-  const double end = by_force ? c.force_max_N : c.delta_bar_max;
-  (by_force ? c.fields_at_N : c.fields_at) = {rounded(0.2 * end), rounded(0.6 * end), end};
-  if (d.unload_from.empty()) (by_force ? c.unload_from_N : c.unload_from) = four_branches(end);
-  else if (d.unload_from != "none") c.unload_from = unloading_list(d.unload_from);
+  if (d.force_max_N) e.force_max_N = *d.force_max_N;
+  else e.force_max_N = std::numeric_limits<double>::infinity();
+  if (!by_force) e.delta_bar_max = d.delta_bar_max.value_or(rounded(omega_end * yield.delta_m / d.radius_m));
+  const double end = by_force ? e.force_max_N : e.delta_bar_max;
+  (by_force ? e.fields_at_N : e.fields_at) = {rounded(0.2 * end), rounded(0.6 * end), end};
+  if (d.unload_from.empty()) (by_force ? e.unload_from_N : e.unload_from) = four_branches(end);
+  else if (d.unload_from != "none") e.unload_from = unloading_list(d.unload_from);
+  const press::Case c{d.material, d.radius_m, e};
   press::validate(c);
   const double F_end = by_force ? end : 0, delta_end = by_force ? 0 : end * d.radius_m;
   if (F_end > 0 ? F_end <= yield.F_N : delta_end <= yield.delta_m)

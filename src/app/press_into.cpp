@@ -11,7 +11,8 @@
 #include "plot/zone_map.hpp"
 #include "press/case_card.hpp"
 #include "press/curve_csv.hpp"
-#include "press/experiment.hpp"
+#include "press/confined.hpp"
+#include "press/press.hpp"
 #include "press/fields_vtu.hpp"
 #include "press/summary.hpp"
 
@@ -22,21 +23,21 @@
 namespace platen::app {
 namespace {
 
-template <class Result>
-void write_fields(const press::Case& c, const Result& snapshots, const OutputFolder& folder) {
+template <class Snapshot>
+void write_fields(const press::Case& c, const std::vector<Snapshot>& snapshots, const OutputFolder& folder) {
   for (const auto& snapshot : snapshots)
     core::write_file(folder / press::fields_name(snapshot.delta_bar),
                      press::fields_vtu(snapshot, c.radius_m));
   if (!snapshots.empty()) core::write_file(folder / "fields.pvd", press::fields_series(snapshots));
 }
 
-void write_pictures(const press::Case& c, const press::Result& result, const OutputFolder& folder) {
+void write_section_pictures(const press::Case& c, const press::Result& result, const OutputFolder& folder) {
   if (!result.snapshots.empty())
     plot::zone_map(result.snapshots, fmt::format("{}: where it flows", c.material.name),
                    folder / "zones.svg");
 }
 
-void write_pictures(const press::Case&, const press::LocalResult& result, const OutputFolder& folder) {
+void write_local_pictures(const press::Result& result, const OutputFolder& folder) {
   for (const auto& profile : result.profiles)
     core::write_file(folder / press::profile_name(profile), press::profile_csv(profile));
   if (press::loading_end(result.curve)) {
@@ -48,7 +49,7 @@ void write_pictures(const press::Case&, const press::LocalResult& result, const 
   plot::plastic_zone_picture(result, folder / "zones.svg");
 }
 
-void write_pictures(const press::Case& c, const press::ConfinedResult& result, const OutputFolder& folder) {
+void write_confined_pictures(const press::Case& c, const press::Result& result, const OutputFolder& folder) {
   if (press::loading_end(result.curve)) {
     plot::contacts_picture(result.curve, folder / "contacts.svg");
     plot::energy_picture(result.curve, folder / "energy.svg");
@@ -60,14 +61,8 @@ void write_pictures(const press::Case& c, const press::ConfinedResult& result, c
                       fmt::format("{}: contact pressure", c.material.name), folder / "faces.svg");
 }
 
-const std::vector<press::Snapshot>& snapshots_of(const press::Result& result) { return result.snapshots; }
-const std::vector<press::SpatialSnapshot>& snapshots_of(const press::ConfinedResult& result) {
-  return result.spatial;
-}
-
 /// What cost most comes first: where the disk fills, the files before are whole.
-template <class Result>
-Pressed written(const press::Case& c, const Result& result, const OutputFolder& folder, Fields fields) {
+Pressed written(const press::Case& c, press::Result result, const OutputFolder& folder, Fields fields) {
   folder.forget({"case.toml", "curve.csv", "summary.json", "zones.svg", "curve.svg", "law.toml", "fields.pvd",
                  "approach.svg", "peaks.svg", "pressure.svg", "contacts.svg", "energy.svg", "particle.svg",
                  "faces.svg"});
@@ -75,23 +70,29 @@ Pressed written(const press::Case& c, const Result& result, const OutputFolder& 
   folder.forget_series("profile-", ".csv");
   press::write_curve(result.curve, folder / "curve.csv");
   core::write_file(folder / "case.toml", press::case_text(c));
-  write_pictures(c, result, folder);
-  if (fields == Fields::pictures_and_vtu) write_fields(c, snapshots_of(result), folder);
+  if (std::holds_alternative<press::Local>(c.experiment)) write_local_pictures(result, folder);
+  else if (press::is_confined(c.experiment)) write_confined_pictures(c, result, folder);
+  else write_section_pictures(c, result, folder);
+  if (fields == Fields::pictures_and_vtu) {
+    write_fields(c, result.snapshots, folder);
+    write_fields(c, result.spatial, folder);
+  }
   // Last: where there is a summary, the rest is there as well.
-  Pressed pressed{result, press::summary_json(c, result)};
+  Pressed pressed{std::move(result), ""};
+  pressed.summary = press::summary_json(c, pressed.result);
   core::write_file(folder / "summary.json", pressed.summary);
   return pressed;
 }
 
 Pressed press_and_write(const press::Case& c, const OutputFolder& folder, Fields fields) {
   core::Progress progress(fmt::format("pressing {}", c.material.name));
-  const bool by_force = c.experiment == "local";
-  const auto any = press::press(c, [&](double fraction, const press::CurvePoint& point) {
+  const bool by_force = std::holds_alternative<press::Local>(c.experiment);
+  auto result = press::press(c, [&](double fraction, const press::CurvePoint& point) {
     progress.show(fraction, by_force ? fmt::format("F = {:.3g} N", point.force_N)
                                      : fmt::format("delta_bar = {:.3f}", point.delta_bar));
     return !core::interrupted();
   });
-  return std::visit([&](const auto& result) { return written(c, result, folder, fields); }, any);
+  return written(c, std::move(result), folder, fields);
 }
 
 } // namespace

@@ -2,7 +2,8 @@
 // A press with its results in a folder: what `press` and `derive` share.
 
 #include "app/output_folder.hpp"
-#include "press/simple.hpp"
+#include "press/case.hpp"
+#include "press/result.hpp"
 
 #include <string>
 

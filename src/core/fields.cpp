@@ -141,6 +141,22 @@ std::vector<FieldValue> read_values(const Table& table, std::span<const FieldInf
   return values;
 }
 
+void check_value(const FieldInfo& field, const FieldValue& value, std::string_view section) {
+  std::vector<double> numbers;
+  if (const auto* x = std::get_if<double>(&value)) numbers = {*x};
+  if (const auto* i = std::get_if<int>(&value)) numbers = {static_cast<double>(*i)};
+  if (const auto* list = std::get_if<std::vector<double>>(&value)) numbers = *list;
+  const bool admitted = std::all_of(numbers.begin(), numbers.end(), [&](double x) {
+    return std::isfinite(x) && field.allowed.contains(x);
+  });
+  const bool grows = std::adjacent_find(numbers.begin(), numbers.end(), std::greater_equal<>()) == numbers.end();
+  if (admitted && (grows || !field.ascending)) return;
+  std::string line = card_line(field.key, value);
+  line.pop_back();
+  throw InvalidInput(fmt::format("{}{} is not allowed; it must be {}",
+                                 section.empty() ? "" : fmt::format("[{}] ", section), line, wanted(field)));
+}
+
 std::string card_line(std::string_view key, const FieldValue& value) {
   struct Text {
     std::string operator()(std::monostate) const { return {}; }

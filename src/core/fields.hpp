@@ -72,6 +72,9 @@ std::vector<FieldValue> read_values(const Table&, std::span<const FieldInfo> fie
 /// wrong (E_MPa), else with the nearest known key.
 void refuse_unknown_keys(const Table&, std::span<const std::string> known);
 
+/// InvalidInput unless the field admits the value, which stands in no card; `section` as messages name it.
+void check_value(const FieldInfo&, const FieldValue&, std::string_view section);
+
 /// "key = value" lines as they stand in a card.
 std::string card_line(std::string_view key, const FieldValue&);
 

@@ -38,11 +38,11 @@ std::vector<double> ring_radii(const ContactGrid& grid) {
 
 } // namespace
 
-AxisymmetricMesh contact_disc(const ContactGrid& grid) {
+SectionMesh contact_disc(const ContactGrid& grid) {
   // The core: core x core elements around the pole, made round by the rows up to first_radius.
   const int core = (3 * grid.columns + 2) / 5, around = 2 * core;
   const double h = grid.first_radius / grid.columns, side = core * h;
-  AxisymmetricMesh mesh;
+  SectionMesh mesh;
   const auto add = [&](Point x) {
     mesh.nodes.push_back(x);
     return static_cast<int>(mesh.nodes.size()) - 1;
@@ -64,16 +64,16 @@ AxisymmetricMesh contact_disc(const ContactGrid& grid) {
   const auto core_node = [&](int i, int j) { return grid_of_core[j * (core + 1) + i]; };
   for (int j = 0; j < core; ++j)
     for (int i = 0; i < core; ++i)
-      mesh.quads.push_back(
+      mesh.elements.push_back(
           {core_node(i, j + 1), core_node(i + 1, j + 1), core_node(i + 1, j), core_node(i, j)});
 
   // Lines of nodes around the core, each from the sphere to the axis.
   std::vector<int> line;
   for (int j = 0; j <= core; ++j) line.push_back(core_node(core, j));
   for (int i = core - 1; i >= 0; --i) line.push_back(core_node(i, core));
-  std::vector<int> surface;
+  std::vector<int> surface, axis;
   for (int i = 0; i <= core; ++i) surface.push_back(core_node(i, 0));
-  for (int j = 0; j <= core; ++j) mesh.axis.push_back(core_node(0, j));
+  for (int j = 0; j <= core; ++j) axis.push_back(core_node(0, j));
   const auto surround = [&](auto&& place) {
     std::vector<int> next;
     for (int k = 0; k <= around; ++k) {
@@ -81,10 +81,10 @@ AxisymmetricMesh contact_disc(const ContactGrid& grid) {
       if (k == around) p[0] = 0;
       next.push_back(add(p));
     }
-    for (int k = 0; k < around; ++k) mesh.quads.push_back({line[k + 1], next[k + 1], next[k], line[k]});
+    for (int k = 0; k < around; ++k) mesh.elements.push_back({line[k + 1], next[k + 1], next[k], line[k]});
     line = std::move(next);
     surface.push_back(line.front());
-    mesh.axis.push_back(line.back());
+    axis.push_back(line.back());
   };
 
   const std::vector<int> core_edge = line;
@@ -113,9 +113,9 @@ AxisymmetricMesh contact_disc(const ContactGrid& grid) {
       return Point{straight[0] + (1 - t) * (outer[0] - end[0]), straight[1] + (1 - t) * (outer[1] - end[1])};
     });
   }
-  mesh.equator = line;
-  for (const int node : mesh.equator) mesh.nodes[node][1] = 0;
-  mesh.surface = std::move(surface);
+  for (const int node : line) mesh.nodes[node][1] = 0;
+  mesh.mirrors = {{{1, 0}, std::move(axis)}, {{0, 1}, line}};
+  for (std::size_t i = 0; i + 1 < surface.size(); ++i) mesh.surface.push_back({surface[i], surface[i + 1]});
   return mesh;
 }
 

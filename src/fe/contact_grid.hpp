@@ -2,7 +2,7 @@
 // Quarter disc for a small contact at the pole: the size of the elements grows in proportion to their
 // distance from the pole, so that one mesh serves every contact radius between two decades apart.
 
-#include "fe/quarter_disc.hpp"
+#include "fe/mesh.hpp"
 
 namespace platen::fe {
 
@@ -15,6 +15,6 @@ struct ContactGrid {
 /// Rings around the pole. Inside first_radius the elements are alike, first_radius/columns in size; from
 /// there to last_radius a ring is 1/columns of its distance from the pole, beyond it up to 1/6, and the last
 /// rows flatten into the equator.
-AxisymmetricMesh contact_disc(const ContactGrid&);
+SectionMesh contact_disc(const ContactGrid&);
 
 } // namespace platen::fe

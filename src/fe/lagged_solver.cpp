@@ -8,10 +8,7 @@
 namespace platen::fe {
 namespace {
 
-/// What a factorisation costs, in solutions with its factors. Counted rather than timed, so that a press
-/// gives the same curve on any machine.
-constexpr double factorisation_cost = 50;
-/// Steps of GMRES after which a factorisation is the shorter way.
+/// Most steps of GMRES; with the matrix's own factors two or three do.
 constexpr int steps_max = 40;
 
 double dot(std::span<const double> a, std::span<const double> b) {
@@ -22,35 +19,41 @@ double dot(std::span<const double> a, std::span<const double> b) {
 
 } // namespace
 
-LaggedSolver::LaggedSolver(int unknowns, std::vector<std::vector<int>> element_unknowns)
-    : elements(std::move(element_unknowns)), direct(unknowns, elements, Symmetry::unsymmetric) {}
+LaggedSolver::LaggedSolver(int unknowns, std::vector<std::vector<int>> element_unknowns,
+                           std::span<const Vector3> middles)
+    : elements(std::move(element_unknowns)), direct(unknowns, elements, middles),
+      factorisation_cost(direct.factorisation_cost()) {}
 
-bool LaggedSolver::matrix(std::span<const double> element_matrices) {
+Outcome LaggedSolver::matrix(std::span<const double> element_matrices) {
   matrices = element_matrices;
   fresh = false;
-  return !wanted || factorise();
+  return wanted ? factorise() : Outcome::done;
 }
 
-bool LaggedSolver::factorise() {
+Outcome LaggedSolver::factorise() {
   Stopwatch watch(factorisation_s);
-  if (!direct.factorise(matrices)) return false;
+  if (!direct.factorise(matrices)) return Outcome::singular;
   fresh = true;
   wanted = false;
   spent = factorisation_cost;
   solved = 0;
-  return true;
+  return Outcome::done;
 }
 
-bool LaggedSolver::solve(std::span<double> x) {
-  int steps = gmres(x);
-  if (steps == 0 && !fresh && factorise()) steps = gmres(x);
-  if (steps == 0) return false;
+Outcome LaggedSolver::solve(std::span<double> x, double tolerance) {
+  int steps = 0;
+  Outcome outcome = gmres(x, tolerance, steps);
+  if (outcome != Outcome::done && !fresh) {
+    outcome = factorise();
+    if (outcome == Outcome::done) outcome = gmres(x, tolerance, steps);
+  }
+  if (outcome != Outcome::done) return outcome;
   // Factorise next time if this solution cost more than all since the last factorisation, with it, on
   // average.
   spent += steps;
   ++solved;
   wanted = steps * solved > spent;
-  return true;
+  return Outcome::done;
 }
 
 void LaggedSolver::multiply(std::span<const double> x, std::span<double> y) const {
@@ -66,33 +69,34 @@ void LaggedSolver::multiply(std::span<const double> x, std::span<double> y) cons
   }
 }
 
-/// GMRES preconditioned from the right. Returns the steps taken; 0, x untouched, where they did not do.
-int LaggedSolver::gmres(std::span<double> x) {
+/// GMRES preconditioned from the right. Where it is not done, x is untouched.
+Outcome LaggedSolver::gmres(std::span<double> x, double tolerance, int& steps) {
   const double size = std::sqrt(dot(x, x));
-  if (!(size > 0)) return 1;
-  std::vector<std::vector<double>> basis{{x.begin(), x.end()}};
+  steps = 1;
+  if (!std::isfinite(size)) return Outcome::singular;
+  if (!(size > 0)) return Outcome::done;
+  std::vector<std::vector<double>> basis{{x.begin(), x.end()}}, preconditioned;
   for (double& v : basis[0]) v /= size;
   std::vector<std::vector<double>> hessenberg; // columns, rotated to upper triangular
-  std::vector<double> cosine, sine, rest{size};
-  std::vector<double> direction(x.size()), product(x.size());
+  std::vector<double> cosine, sine, rest{size}, product(x.size());
   for (int k = 0; k < steps_max; ++k) {
-    direction = basis[k];
-    direct.solve(direction);
-    multiply(direction, product);
+    preconditioned.push_back(basis[k]);
+    direct.solve(preconditioned[k]);
+    multiply(preconditioned[k], product);
     std::vector<double> h(k + 2);
     for (int i = 0; i <= k; ++i) {
       h[i] = dot(basis[i], product);
       for (std::size_t n = 0; n < product.size(); ++n) product[n] -= h[i] * basis[i][n];
     }
     h[k + 1] = std::sqrt(dot(product, product));
-    if (!std::isfinite(h[k + 1])) return 0;
+    if (!std::isfinite(h[k + 1])) return Outcome::singular;
     for (int i = 0; i < k; ++i) {
       const double a = h[i], b = h[i + 1];
       h[i] = cosine[i] * a + sine[i] * b;
       h[i + 1] = cosine[i] * b - sine[i] * a;
     }
     const double below = h[k + 1], length = std::hypot(h[k], below);
-    if (!(length > 0)) return 0;
+    if (!(length > 0)) return Outcome::singular;
     cosine.push_back(h[k] / length);
     sine.push_back(below / length);
     h[k] = length;
@@ -100,21 +104,19 @@ int LaggedSolver::gmres(std::span<double> x) {
     rest.push_back(-sine[k] * rest[k]);
     rest[k] *= cosine[k];
     if (std::abs(rest[k + 1]) <= tolerance * size || below <= 1e-14 * length) {
+      std::fill(x.begin(), x.end(), 0.0);
       for (int i = k; i >= 0; --i) {
         for (int j = i + 1; j <= k; ++j) rest[i] -= hessenberg[j][i] * rest[j];
         rest[i] /= hessenberg[i][i];
+        for (std::size_t n = 0; n < x.size(); ++n) x[n] += rest[i] * preconditioned[i][n];
       }
-      std::fill(direction.begin(), direction.end(), 0.0);
-      for (int i = 0; i <= k; ++i)
-        for (std::size_t n = 0; n < direction.size(); ++n) direction[n] += rest[i] * basis[i][n];
-      direct.solve(direction);
-      std::copy(direction.begin(), direction.end(), x.begin());
-      return k + 2;
+      steps = k + 1;
+      return Outcome::done;
     }
     for (double& v : product) v /= below;
     basis.push_back(product);
   }
-  return 0;
+  return Outcome::steps;
 }
 
 } // namespace platen::fe

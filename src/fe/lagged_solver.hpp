@@ -1,39 +1,42 @@
 #pragma once
-// Newton's linear systems in space, where a factorisation costs fifty solutions with it.
+// Newton's linear systems.
 //
 // The tangents of neighbouring iterates differ little: a few faces touch or part, some points begin to flow.
-// So the factors of an earlier tangent precondition GMRES for the present one, until a new factorisation
-// pays. For that they need no more than single precision.
+// So the factors of an earlier tangent precondition GMRES (Saad & Schultz 1986) for the present one, until a
+// new factorisation pays. For that they need no more than single precision.
 
-#include "fe/sparse.hpp"
+#include "fe/dissection.hpp"
 
 #include <span>
 #include <vector>
 
 namespace platen::fe {
 
+enum class [[nodiscard]] Outcome { done, singular, no_memory, steps };
+
 class LaggedSolver {
  public:
-  /// As DirectSolver's; unsymmetric, as plastic tangents are.
-  LaggedSolver(int unknowns, std::vector<std::vector<int>> element_unknowns);
+  /// As Dissection's.
+  LaggedSolver(int unknowns, std::vector<std::vector<int>> element_unknowns, std::span<const Vector3> middles);
 
-  /// The matrix of the next solutions; factorised where that pays. The span must stay. False where it was to
-  /// be factorised and is singular.
-  [[nodiscard]] bool matrix(std::span<const double> element_matrices);
-  /// Replaces the right-hand side by the solution, up to a residual of `tolerance` of it.
-  [[nodiscard]] bool solve(std::span<double> rhs_to_solution);
+  /// The matrix of the next solutions, by columns; factorised where that pays. The span must stay.
+  Outcome matrix(std::span<const double> element_matrices);
+  /// Replaces the right-hand side by the solution, up to a residual of `tolerance` of it. `steps`: the
+  /// iteration stands still although the factors are the matrix's own.
+  Outcome solve(std::span<double> rhs_to_solution, double tolerance);
+  /// Factorises the next matrix: what is solved from here on does not depend on what was solved before.
+  void forget() { wanted = true; }
 
   double factorisation_s = 0; ///< spent so far
 
-  static constexpr double tolerance = 1e-2;
-
  private:
-  bool factorise();
+  Outcome factorise();
   void multiply(std::span<const double> x, std::span<double> y) const;
-  int gmres(std::span<double> rhs_to_solution);
+  Outcome gmres(std::span<double> rhs_to_solution, double tolerance, int& steps);
 
   std::vector<std::vector<int>> elements;
-  DirectSolverOf<float> direct;
+  Dissection direct;
+  double factorisation_cost; ///< in solutions with its factors
   std::span<const double> matrices;
   bool fresh = false; ///< the factors are those of the matrix
   bool wanted = true; ///< to factorise the next matrix

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <numbers>
 
@@ -49,7 +50,7 @@ class Builder {
       }
     for (int j = 0; j < m; ++j)
       for (int i = 0; i < n; ++i)
-        mesh.quads.push_back({id[j * (n + 1) + i], id[j * (n + 1) + i + 1], id[(j + 1) * (n + 1) + i + 1],
+        mesh.elements.push_back({id[j * (n + 1) + i], id[j * (n + 1) + i + 1], id[(j + 1) * (n + 1) + i + 1],
                               id[(j + 1) * (n + 1) + i]});
   }
 
@@ -62,7 +63,7 @@ class Builder {
     return at->second;
   }
 
-  AxisymmetricMesh mesh;
+  SectionMesh mesh;
 
  private:
   std::map<std::array<long, 2>, int> ids;
@@ -84,8 +85,8 @@ void refine_surface(Builder& b, int fine_rows) {
   constexpr double transition = 0.24;
   std::vector<double> row{0};
   for (const double t : graded(fine_rows, 1)) row.push_back(transition + (1 - transition) * t);
-  const auto quads = std::move(b.mesh.quads);
-  b.mesh.quads.clear();
+  const auto quads = std::move(b.mesh.elements);
+  b.mesh.elements.clear();
   const auto on_sphere = [&](int i) {
     return std::abs(std::hypot(b.mesh.nodes[i][0], b.mesh.nodes[i][1]) - 1) < 1e-12;
   };
@@ -95,7 +96,7 @@ void refine_surface(Builder& b, int fine_rows) {
     for (; turns < 4 && !(on_sphere(quad[2]) && on_sphere(quad[3])); ++turns)
       quad = {quad[1], quad[2], quad[3], quad[0]};
     if (turns == 4) {
-      b.mesh.quads.push_back(quad);
+      b.mesh.elements.push_back(quad);
       continue;
     }
     const Point A = b.mesh.nodes[quad[0]], B = b.mesh.nodes[quad[1]], C = b.mesh.nodes[quad[2]],
@@ -111,13 +112,13 @@ void refine_surface(Builder& b, int fine_rows) {
     const double t = row[1];
     const int I_1 = at(1.0 / 3, t * 0.5), I_2 = at(2.0 / 3, t * 0.5);
     const std::array<int, 4> T{at(0, t), at(1.0 / 3, t), at(2.0 / 3, t), at(1, t)};
-    b.mesh.quads.push_back({quad[0], quad[1], I_2, I_1});
-    b.mesh.quads.push_back({I_1, I_2, T[2], T[1]});
-    b.mesh.quads.push_back({quad[0], I_1, T[1], T[0]});
-    b.mesh.quads.push_back({I_2, quad[1], T[3], T[2]});
+    b.mesh.elements.push_back({quad[0], quad[1], I_2, I_1});
+    b.mesh.elements.push_back({I_1, I_2, T[2], T[1]});
+    b.mesh.elements.push_back({quad[0], I_1, T[1], T[0]});
+    b.mesh.elements.push_back({I_2, quad[1], T[3], T[2]});
     for (std::size_t j = 1; j + 1 < row.size(); ++j)
       for (int i = 0; i < 3; ++i)
-        b.mesh.quads.push_back({at(i / 3.0, row[j]), at((i + 1) / 3.0, row[j]), at((i + 1) / 3.0, row[j + 1]),
+        b.mesh.elements.push_back({at(i / 3.0, row[j]), at((i + 1) / 3.0, row[j]), at((i + 1) / 3.0, row[j + 1]),
                                 at(i / 3.0, row[j + 1])});
   }
 }
@@ -165,7 +166,7 @@ std::vector<double> with_surface_row(int n, double ratio, double share) {
 
 } // namespace
 
-AxisymmetricMesh quarter_disc(int elements) {
+SectionMesh quarter_disc(int elements) {
   const auto [n, d, m, fine, twice] = counts_for(elements);
   // Split points: on the axis, on the equator, on the sphere, inside. The block at the pole is the large one,
   // since the contact grows over it.
@@ -191,15 +192,17 @@ AxisymmetricMesh quarter_disc(int elements) {
   refine_surface(b, fine);
   if (twice) refine_surface(b, 1);
 
-  AxisymmetricMesh& mesh = b.mesh;
+  SectionMesh& mesh = b.mesh;
+  mesh.mirrors = {{{1, 0}, {}}, {{0, 1}, {}}};
   std::map<double, int> on_surface;
   for (int i = 0; i < static_cast<int>(mesh.nodes.size()); ++i) {
     const auto [r, z] = mesh.nodes[i];
-    if (r == 0) mesh.axis.push_back(i);
-    if (z == 0) mesh.equator.push_back(i);
+    if (r == 0) mesh.mirrors[0].nodes.push_back(i);
+    if (z == 0) mesh.mirrors[1].nodes.push_back(i);
     if (std::abs(std::hypot(r, z) - 1) < 1e-12) on_surface[std::atan2(r, z)] = i;
   }
-  for (const auto& [polar_angle, i] : on_surface) mesh.surface.push_back(i);
+  for (auto at = on_surface.begin(); std::next(at) != on_surface.end(); ++at)
+    mesh.surface.push_back({at->second, std::next(at)->second});
   return mesh;
 }
 

@@ -146,7 +146,7 @@ class Builder {
             std::swap(hex[1], hex[3]);
             std::swap(hex[5], hex[7]);
           }
-          mesh.hexes.push_back(hex);
+          mesh.elements.push_back(hex);
           // The way to the centre is the first.
           if (p != 0 && i == 0) {
             std::array<int, 4> face = {node(0, j, k), node(0, j + 1, k), node(0, j + 1, k + 1),
@@ -200,8 +200,8 @@ class Builder {
     for (int q = 1; q < corners; ++q) {
       const int r = q % 3 + 1, s = r % 3 + 1;
       const Vector3 normal = unit(cross(plan.corner[r], plan.corner[s]));
-      mesh.mirrors.push_back(normal);
-      auto& list = mesh.on_mirror.emplace_back();
+      auto& [along, list] = mesh.mirrors.emplace_back();
+      along = normal;
       for (std::size_t i = 0; i < keys.size(); ++i)
         if (keys[i][q] == 0) {
           list.push_back(static_cast<int>(i));
@@ -224,7 +224,7 @@ std::vector<std::array<Vector3, 3>> copies(const WedgeMesh& mesh) {
   using Matrix = std::array<Vector3, 3>;
   std::vector<Matrix> group = {{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}};
   for (std::size_t known = 0; known < group.size(); ++known)
-    for (const Vector3& n : mesh.mirrors) {
+    for (const auto& [n, nodes] : mesh.mirrors) {
       Matrix product; // the reflection after the known one
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
@@ -247,7 +247,7 @@ MeshQuality quality(const WedgeMesh& mesh, const std::vector<double>& u) {
   constexpr int neighbours[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7},
                                     {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
   MeshQuality q{1, 0};
-  for (const auto& hex : mesh.hexes) {
+  for (const auto& hex : mesh.elements) {
     Vector3 x[8];
     for (int a = 0; a < 8; ++a)
       x[a] = mesh.nodes[hex[a]] + Vector3{u[3 * hex[a]], u[3 * hex[a] + 1], u[3 * hex[a] + 2]};
@@ -258,7 +258,7 @@ MeshQuality quality(const WedgeMesh& mesh, const std::vector<double>& u) {
       least = std::min(least, dot(cross(e, f), g));
     }
     q.least = std::min(q.least, least);
-    q.mean += least / static_cast<double>(mesh.hexes.size());
+    q.mean += least / static_cast<double>(mesh.elements.size());
   }
   return q;
 }

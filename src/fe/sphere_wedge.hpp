@@ -1,7 +1,7 @@
 #pragma once
 // Wedges of a sphere between mirror planes through its centre, in hexahedra.
 
-#include "fe/vector3.hpp"
+#include "fe/mesh.hpp"
 
 #include <array>
 #include <vector>
@@ -13,15 +13,6 @@ enum class Wedge {
   octant,      ///< 1/8: the coordinate planes
   sixteenth,   ///< 1/16: y = 0, x = y, z = 0; the same along x and y
   forty_eighth ///< 1/48: x = 0, x = y, y = z; the same along x, y and z
-};
-
-/// Unit sphere's wedge. Nodes on mirror planes lie on them exactly.
-struct WedgeMesh {
-  std::vector<Vector3> nodes;
-  std::vector<std::array<int, 8>> hexes;   ///< bottom counter-clockwise seen from the top, then the top
-  std::vector<std::array<int, 4>> surface; ///< faces on the sphere, counter-clockwise from outside
-  std::vector<Vector3> mirrors;            ///< unit normals of the symmetry planes
-  std::vector<std::vector<int>> on_mirror; ///< nodes on each
 };
 
 /// About `elements` hexahedra: a curved tetrahedron of the centre and three corners on the sphere, cut into

@@ -91,7 +91,7 @@ std::optional<double> side_onset(const press::Curve& curve) {
   for (const auto& p : curve.points)
     if (p.branch == press::Branch::loading)
       products.emplace_back(p.delta_bar,
-                            law::side_density_product(p.delta_bar, p.contact_radius_x_m / curve.radius_m));
+                            law::side_density_product(p.delta_bar, p.side[0].contact_radius_m / curve.radius_m));
   return crossing(products, law::shahin_minimum_density_product);
 }
 

@@ -36,10 +36,10 @@ std::vector<BoundaryFace> boundary(const SpatialSnapshot& s) {
   constexpr int sides[6][4] = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
                                {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
   std::map<std::array<int, 4>, std::pair<int, BoundaryFace>> seen;
-  for (int e = 0; e < static_cast<int>(s.hexes.size()); ++e)
+  for (int e = 0; e < static_cast<int>(s.elements.size()); ++e)
     for (const auto& side : sides) {
       std::array<int, 4> nodes;
-      for (int k = 0; k < 4; ++k) nodes[k] = s.hexes[e][side[k]];
+      for (int k = 0; k < 4; ++k) nodes[k] = s.elements[e][side[k]];
       std::array<int, 4> key = nodes;
       std::sort(key.begin(), key.end());
       auto& [count, face] = seen[key];
@@ -60,8 +60,8 @@ std::string shaded(const std::string& colour, double light) {
 }
 
 // Seen from the side on which the octant x > 0, y < 0, z > 0 is taken out.
-const Vector3 towards_eye = fe::unit({1, -1.25, 0.85});
-const Vector3 to_the_right = fe::unit(fe::cross({0, 0, 1}, towards_eye));
+const Vector3 towards_eye = fe::unit(fe::Vector3{1, -1.25, 0.85});
+const Vector3 to_the_right = fe::unit(fe::cross(Vector3{0, 0, 1}, towards_eye));
 const Vector3 upwards = fe::cross(towards_eye, to_the_right);
 
 void add_particle(Scene& scene, const SpatialSnapshot& s, const Range& range, Point middle, double pixels) {
@@ -239,15 +239,9 @@ void contacts_picture(const press::Curve& curve, const std::filesystem::path& fi
   struct Plane {
     const char* name;
     const char* colour;
-    double press::CurvePoint::*force;
-    double press::CurvePoint::*radius;
-    double press::CurvePoint::*pressure;
+    int index; ///< in a row of the curve
   };
-  using P = press::CurvePoint;
-  constexpr std::array planes = {
-      Plane{"z", "#0072b2", &P::force_N, &P::contact_radius_m, &P::mean_pressure_Pa},
-      Plane{"x", "#d55e00", &P::force_x_N, &P::contact_radius_x_m, &P::mean_pressure_x_Pa},
-      Plane{"y", "#009e73", &P::force_y_N, &P::contact_radius_y_m, &P::mean_pressure_y_Pa}};
+  constexpr std::array planes = {Plane{"z", "#0072b2", 0}, Plane{"x", "#d55e00", 1}, Plane{"y", "#009e73", 2}};
   std::string script =
       terminal(file, 760, 900) +
       fmt::format("set border 3 lc rgb '{0}' lw 1\nset tics nomirror out scale 0.5 tc rgb '{0}'\n"
@@ -265,16 +259,17 @@ void contacts_picture(const press::Curve& curve, const std::filesystem::path& fi
     for (const auto& p : curve.points) {
       if (p.branch_id != branch) data += '\n';
       branch = p.branch_id;
-      touched = touched || p.*plane.force > 0;
+      const press::PlanePoint& at = p.plane(plane.index);
+      touched = touched || at.force_N > 0;
       data += fmt::format("{:.8g} {:.8g} {:.8g} {:.8g}\n", p.delta_bar,
-                          p.*plane.force > 0 ? p.*plane.pressure / curve.sigma_ref_Pa : 0,
-                          p.*plane.radius / R, p.*plane.force / unit);
+                          at.force_N > 0 ? at.mean_pressure_Pa / curve.sigma_ref_Pa : 0, at.contact_radius_m / R,
+                          at.force_N / unit);
     }
     // Planes along y that do what those along x do are drawn once.
     const bool again =
-        plane.force == &P::force_y_N &&
-        std::all_of(curve.points.begin(), curve.points.end(), [](const auto& p) {
-          return p.force_y_N == 0 || (p.force_y_N == p.force_x_N && p.delta_y_m == p.delta_x_m);
+        plane.index == 2 && std::all_of(curve.points.begin(), curve.points.end(), [](const auto& p) {
+          const auto& [x, y] = p.side;
+          return y.force_N == 0 || (y.force_N == x.force_N && y.delta_m == x.delta_m);
         });
     if (!touched || again) continue;
     shown.push_back(&plane);

@@ -1,7 +1,7 @@
 #pragma once
 // What a confined press shows: its contacts, the deformed particle, the pressure on its faces.
 
-#include "press/confined.hpp"
+#include "press/result.hpp"
 
 #include <filesystem>
 #include <string>

@@ -19,8 +19,8 @@ namespace {
 /// Element values averaged to the nodes.
 std::vector<double> nodal(const press::Snapshot& snapshot, const std::vector<double>& values) {
   std::vector<double> sum(snapshot.nodes.size(), 0), count(snapshot.nodes.size(), 0);
-  for (std::size_t e = 0; e < snapshot.quads.size(); ++e)
-    for (const int node : snapshot.quads[e]) {
+  for (std::size_t e = 0; e < snapshot.elements.size(); ++e)
+    for (const int node : snapshot.elements[e]) {
       sum[static_cast<std::size_t>(node)] += values[e];
       count[static_cast<std::size_t>(node)] += 1;
     }
@@ -34,7 +34,7 @@ double at_quarter(const press::Snapshot& snapshot, const std::vector<double>& at
   constexpr std::array<double, 4> weight = {9.0 / 16, 3.0 / 16, 1.0 / 16, 3.0 / 16};
   double value = 0;
   for (std::size_t i = 0; i < 4; ++i)
-    value += weight[i] * at_nodes[static_cast<std::size_t>(snapshot.quads[element][(corner + i) % 4])];
+    value += weight[i] * at_nodes[static_cast<std::size_t>(snapshot.elements[element][(corner + i) % 4])];
   return value;
 }
 
@@ -67,10 +67,10 @@ void field_map(const std::vector<press::Snapshot>& snapshots, const Field& field
   std::vector<std::vector<double>> at_nodes;
   for (const auto& snapshot : snapshots) {
     const std::vector<double> values = field.values(snapshot);
-    if (values.size() != snapshot.quads.size())
+    if (values.size() != snapshot.elements.size())
       throw core::InvalidInput(
           fmt::format("snapshot at delta_bar = {:g}: {} has {} values, and there are {} elements",
-                      snapshot.delta_bar, field.name, values.size(), snapshot.quads.size()));
+                      snapshot.delta_bar, field.name, values.size(), snapshot.elements.size()));
     for (const double value : values)
       if (!std::isfinite(value))
         throw core::InvalidInput(fmt::format("snapshot at delta_bar = {:g}: a value of {} is not finite",

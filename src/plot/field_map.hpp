@@ -1,7 +1,7 @@
 #pragma once
 // A scalar field over the section of the particle.
 
-#include "press/simple.hpp"
+#include "press/result.hpp"
 
 #include <filesystem>
 #include <functional>

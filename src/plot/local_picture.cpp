@@ -61,19 +61,19 @@ std::string labels(const std::string& x, const std::string& y) {
                      gnuplot_string(y), ink);
 }
 
-const press::CurvePoint& end_of(const press::LocalResult& result) {
+const press::CurvePoint& end_of(const press::Result& result) {
   const auto* end = press::loading_end(result.curve);
   if (!end || !(end->force_N > 0)) throw core::InvalidInput("the curve to draw has no point with a force");
   return *end;
 }
 
-void need_profiles(const press::LocalResult& result) {
+void need_profiles(const press::Result& result) {
   if (result.profiles.empty()) throw core::InvalidInput("no load was asked for, so there is nothing to draw");
 }
 
 } // namespace
 
-void approach_picture(const press::LocalResult& result, const std::filesystem::path& file) {
+void approach_picture(const press::Result& result, const std::filesystem::path& file) {
   const press::Curve& curve = result.curve;
   const press::CurvePoint& end = end_of(result);
   const Hertz law = hertz(curve);
@@ -108,7 +108,7 @@ void approach_picture(const press::LocalResult& result, const std::filesystem::p
   run_gnuplot(script + "\n", file);
 }
 
-void peaks_picture(const press::LocalResult& result, const std::filesystem::path& file) {
+void peaks_picture(const press::Result& result, const std::filesystem::path& file) {
   const press::Curve& curve = result.curve;
   const press::CurvePoint& end = end_of(result);
   const Hertz law = hertz(curve);
@@ -138,7 +138,7 @@ void peaks_picture(const press::LocalResult& result, const std::filesystem::path
       file);
 }
 
-void pressure_picture(const press::LocalResult& result, const std::filesystem::path& file) {
+void pressure_picture(const press::Result& result, const std::filesystem::path& file) {
   need_profiles(result);
   const press::Curve& curve = result.curve;
   const Hertz law = hertz(curve);
@@ -186,17 +186,17 @@ namespace {
 std::vector<Region> plastic_bands(const press::Snapshot& s, double a_bar, double reach) {
   Patchwork patches;
   for (const auto& [r, z] : s.nodes) patches.vertices.push_back({r / a_bar, (1 - s.delta_bar - z) / a_bar});
-  for (std::size_t e = 0; e < s.quads.size(); ++e) {
+  for (std::size_t e = 0; e < s.elements.size(); ++e) {
     const auto near = [&](int node) {
       const Point& p = patches.vertices[static_cast<std::size_t>(node)];
       return p.x < reach && p.y < reach;
     };
-    if (std::ranges::none_of(s.quads[e], near)) continue;
+    if (std::ranges::none_of(s.elements[e], near)) continue;
     const double v = s.plastic_strain_v[e], q = s.plastic_strain_q[e];
     const double strain = std::sqrt(q * q + 2.0 / 9 * v * v);
     const auto& steps = press::joining_strains;
     const auto band = std::upper_bound(steps.begin(), steps.end(), strain) - steps.begin();
-    std::array<int, 4> corners = s.quads[e];
+    std::array<int, 4> corners = s.elements[e];
     std::swap(corners[1], corners[3]); // depth turned the sense of rotation
     patches.cells.push_back({corners, static_cast<int>(band)});
   }
@@ -220,7 +220,7 @@ std::string band_key(int height, int key_height) {
 
 } // namespace
 
-void plastic_zone_picture(const press::LocalResult& result, const std::filesystem::path& file) {
+void plastic_zone_picture(const press::Result& result, const std::filesystem::path& file) {
   need_profiles(result);
   const press::Curve& curve = result.curve;
   const int panels = static_cast<int>(std::min(result.profiles.size(), result.snapshots.size()));

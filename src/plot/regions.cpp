@@ -97,10 +97,10 @@ Patchwork full_section(const press::Snapshot& snapshot, const Colour& colour) {
   }
   for (std::size_t quadrant = 0; quadrant < 4; ++quadrant) {
     const bool flipped = quadrant == 1 || quadrant == 2; // one mirror turns the sense of rotation
-    for (std::size_t element = 0; element < snapshot.quads.size(); ++element) {
+    for (std::size_t element = 0; element < snapshot.elements.size(); ++element) {
       std::array<int, 4> corner{}, edge{}; // edge i joins corners i and i + 1
       for (std::size_t i = 0; i < 4; ++i)
-        corner[i] = images[quadrant][static_cast<std::size_t>(snapshot.quads[element][i])];
+        corner[i] = images[quadrant][static_cast<std::size_t>(snapshot.elements[element][i])];
       for (std::size_t i = 0; i < 4; ++i) edge[i] = builder.middle_of(corner[i], corner[(i + 1) % 4]);
       const int centre = builder.add(middle(builder.at(edge[0]), builder.at(edge[2])));
       for (std::size_t i = 0; i < 4; ++i) {

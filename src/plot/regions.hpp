@@ -3,7 +3,7 @@
 // This keeps a picture of 5,000 elements small, and free of seams between cells.
 
 #include "plot/scene.hpp"
-#include "press/simple.hpp"
+#include "press/result.hpp"
 
 #include <array>
 #include <functional>

@@ -68,7 +68,7 @@ void check(const std::vector<press::Snapshot>& snapshots) {
     throw core::InvalidInput("a section picture needs at least one snapshot, and got none");
   for (const auto& snapshot : snapshots) {
     const auto count = snapshot.nodes.size();
-    for (const auto& quad : snapshot.quads)
+    for (const auto& quad : snapshot.elements)
       for (const int node : quad)
         if (node < 0 || static_cast<std::size_t>(node) >= count)
           throw core::InvalidInput(
@@ -78,7 +78,7 @@ void check(const std::vector<press::Snapshot>& snapshots) {
       if (!std::isfinite(r) || !std::isfinite(z))
         throw core::InvalidInput(
             fmt::format("snapshot at delta_bar = {:g}: a node is not finite", snapshot.delta_bar));
-    if (snapshot.quads.empty())
+    if (snapshot.elements.empty())
       throw core::InvalidInput(
           fmt::format("snapshot at delta_bar = {:g} has no elements", snapshot.delta_bar));
   }

@@ -3,7 +3,7 @@
 
 #include "plot/regions.hpp"
 #include "plot/scene.hpp"
-#include "press/simple.hpp"
+#include "press/result.hpp"
 
 #include <functional>
 #include <string>

@@ -23,10 +23,10 @@ std::string zone_name(press::Zone zone) { return names[static_cast<std::size_t>(
 void zone_map(const std::vector<press::Snapshot>& snapshots, const std::string& title,
               const std::filesystem::path& file) {
   for (const auto& snapshot : snapshots)
-    if (snapshot.zones.size() != snapshot.quads.size())
+    if (snapshot.zones.size() != snapshot.elements.size())
       throw core::InvalidInput(
           fmt::format("snapshot at delta_bar = {:g}: zones of {} elements, and there are {}",
-                      snapshot.delta_bar, snapshot.zones.size(), snapshot.quads.size()));
+                      snapshot.delta_bar, snapshot.zones.size(), snapshot.elements.size()));
   const SnapshotColour colour = [](const press::Snapshot& snapshot) -> Colour {
     return [&](std::size_t element, std::size_t corner) {
       return static_cast<int>(snapshot.zones[element][corner]);

@@ -1,7 +1,7 @@
 #pragma once
 // Where the particle flows, and how: ES Figs 8 and 10.
 
-#include "press/simple.hpp"
+#include "press/result.hpp"
 
 #include <filesystem>
 #include <string>

@@ -2,26 +2,22 @@
 
 #include "core/catalogue.hpp"
 #include "core/error.hpp"
-#include "core/fields.hpp"
 #include "core/nearest.hpp"
 #include "core/number.hpp"
 #include "material/card.hpp"
-#include "material/update.hpp"
-#include "press/confined.hpp"
+#include "press/card_fields.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <limits>
+#include <type_traits>
+#include <utility>
 
 namespace platen::press {
 namespace {
 
-using core::closed, core::Field, core::left_open, core::positive, core::right_open;
-using core::Table, core::Value;
-
-constexpr double no_limit = std::numeric_limits<double>::infinity();
+using core::Field, core::Table, core::Value;
 
 struct Head {
   int platen = 1;
@@ -29,132 +25,50 @@ struct Head {
   double radius_m = 1e-3;
 };
 const std::vector<Field<Head>> head_fields = {
-    {"platen", &Head::platen, "format of the card", closed(1, 1)},
+    {"platen", &Head::platen, "format of the card", core::closed(1, 1)},
     {"experiment", &Head::experiment,
      "simple: a sphere between two rigid planes; local: the same at small contacts, by force; die: between "
      "two planes and four walls; hydrostatic: between six planes; triaxial: between planes that go their own "
      "ways"},
-    {"radius_m", &Head::radius_m, "radius of the undeformed particle", positive},
+    {"radius_m", &Head::radius_m, "radius of the undeformed particle", core::positive},
 };
 
-// delta_bar ends at 0.5, where the published simulations end (Edmans & Sinka, section 4).
-const std::vector<Field<Case>> path_fields = {
-    Field<Case>{"delta_bar_max", &Case::delta_bar_max, "largest delta/R0", left_open(0, 0.5)}.optional(),
-    Field<Case>{"unload_from", &Case::unload_from, "delta/R0 from which a branch unloads", left_open(0, 0.5)}
-        .optional()
-        .growing(),
-    Field<Case>{"reload", &Case::reload, "whether each unloaded branch is loaded again"}.optional(),
-};
-const std::vector<Field<Case>> mesh_fields = {
-    Field<Case>{"elements", &Case::elements, "wanted number of elements; the mesh comes close to it",
-                closed(32, 200000)}
-        .optional(),
-};
-// Wang et al. 3.3: loads to 100 N.
-const std::vector<Field<Case>> local_path_fields = {
-    Field<Case>{"force_max_N", &Case::force_max_N,
-                "largest force; not limited where delta_bar_max alone is given", positive}
-        .optional(),
-    Field<Case>{"unload_from_N", &Case::unload_from_N, "force from which a branch unloads", positive}
-        .optional()
-        .growing(),
-    Field<Case>{"delta_bar_max", &Case::delta_bar_max, "largest delta/R0; loading ends where either is met",
-                left_open(0, 0.5)}
-        .optional(),
-    Field<Case>{"unload_from", &Case::unload_from, "delta/R0 from which a branch unloads", left_open(0, 0.5)}
-        .optional()
-        .growing(),
-    Field<Case>{"reload", &Case::reload, "whether each unloaded branch is loaded again"}.optional(),
-};
-const std::vector<Field<Case>> local_mesh_fields = {
-    Field<Case>{"edges", &Case::edges, "of elements under the contact, at least", closed(8, 100)}.optional(),
-    Field<Case>{"first_contact_bar", &Case::first_contact_bar,
-                "contact radius/R0 from which on so many edges lie under it", closed(1e-4, 0.02)}
-        .optional(),
-};
-const std::vector<Field<Case>> local_output_fields = {
-    Field<Case>{"fields_at_N", &Case::fields_at_N, "force at which fields and the pressure profile are kept",
-                positive}
-        .optional()
-        .growing(),
-    Field<Case>{"fields_at", &Case::fields_at, "delta/R0 at which they are kept", left_open(0, 0.5)}
-        .optional()
-        .growing(),
-};
-const std::vector<Field<Case>> output_fields = {
-    Field<Case>{"fields_at", &Case::fields_at, "delta/R0 at which fields are kept", left_open(0, 0.5)}
-        .optional()
-        .growing(),
-};
-
-// How far the cell may close depends on the material: see check_cell().
-const std::vector<Field<Case>> confined_path_fields = {
-    Field<Case>{"delta_bar_max", &Case::delta_bar_max,
-                "largest delta/R0; by default that of zero porosity, 0.4764 (die) or 0.194 (hydrostatic)",
-                left_open(0, 1)}
-        .optional(),
-    Field<Case>{"unload_from", &Case::unload_from, "delta/R0 from which a branch unloads", left_open(0, 1)}
-        .optional()
-        .growing(),
-    Field<Case>{"reload", &Case::reload, "whether each unloaded branch is loaded again"}.optional(),
-};
-const std::vector<Field<Case>> triaxial_path_fields = {
-    {"delta_bar", &Case::delta_bar_z,
-     "delta/R0 of the planes along z, waypoint by waypoint; the planes go straight from one to the next",
-     right_open(0, 1)},
-    Field<Case>{"delta_bar_x", &Case::delta_bar_x, "the same along x; without it there are no planes",
-                right_open(0, 1)}
-        .optional(),
-    Field<Case>{"delta_bar_y", &Case::delta_bar_y, "the same along y", right_open(0, 1)}.optional(),
-};
-const std::vector<Field<Case>> confined_mesh_fields = {
-    Field<Case>{"elements", &Case::elements, "wanted number of hexahedra in the wedge", closed(200, 60000)}
-        .optional(),
-};
-const std::vector<Field<Case>> confined_output_fields = {
-    Field<Case>{
-        "fields_at", &Case::fields_at,
-        "delta/R0 at which fields are kept; triaxial: the way that the plane that moves most has gone",
-        left_open(0, 10)}
-        .optional()
-        .growing(),
-};
-
-const std::vector<std::string> experiments = {"simple", "local", "die", "hydrostatic", "triaxial"};
-
-void check_experiment(const std::string& experiment, const std::string& where) {
-  if (std::find(experiments.begin(), experiments.end(), experiment) != experiments.end()) return;
-  throw core::InvalidInput(fmt::format("{} = \"{}\": there is no such experiment{}", where, experiment,
-                                       core::suggestion(experiment, experiments)));
+/// A default experiment of each type, in the order of the variant.
+const std::vector<Experiment>& experiments() {
+  static const std::vector<Experiment> all = []<std::size_t... i>(std::index_sequence<i...>) {
+    return std::vector<Experiment>{std::variant_alternative_t<i, Experiment>{}...};
+  }(std::make_index_sequence<std::variant_size_v<Experiment>>());
+  return all;
 }
 
-void check_within_path(const std::vector<double>& values, double end, const std::string& where,
-                       std::string_view end_key = "delta_bar_max") {
-  if (!values.empty() && values.back() > end)
-    throw core::InvalidInput(fmt::format("{} goes to {}, beyond {} = {}", where,
-                                         core::number_text(values.back()), end_key, core::number_text(end)));
+Experiment experiment_named(const std::string& name, const std::string& where) {
+  std::vector<std::string> names;
+  for (const Experiment& e : experiments()) {
+    if (name_of(e) == name) return e;
+    names.emplace_back(name_of(e));
+  }
+  throw core::InvalidInput(
+      fmt::format("{} = \"{}\": there is no such experiment{}", where, name, core::suggestion(name, names)));
 }
 
-/// The sections of a local case.
-Case read_local(const Table& card, Case result) {
-  const auto within_path = [&](const Table& section, const char* key, const std::vector<double>& overlaps,
-                               const std::vector<double>& forces) {
-    check_within_path(overlaps, result.delta_bar_max, core::place(section, key));
-    check_within_path(forces, result.force_max_N, core::place(section, fmt::format("{}_N", key)),
-                      "force_max_N");
-  };
-  if (const Table* path = core::section(card, "path")) {
-    result = core::read_fields(*path, local_path_fields, result);
-    if (path->find("delta_bar_max") && !path->find("force_max_N")) result.force_max_N = no_limit;
-    within_path(*path, "unload_from", result.unload_from, result.unload_from_N);
-  }
-  if (const Table* mesh = core::section(card, "mesh"))
-    result = core::read_fields(*mesh, local_mesh_fields, result);
-  if (const Table* output = core::section(card, "output")) {
-    result = core::read_fields(*output, local_output_fields, result);
-    within_path(*output, "fields_at", result.fields_at, result.fields_at_N);
-  }
-  return result;
+template <class X> X read_sections(const Table& card, X e) {
+  const CardFields<X>& fields = card_fields(&e);
+  const Table* path = core::section(card, "path");
+  if constexpr (!std::is_same_v<X, Local>)
+    if (path && path->find("force_max_N"))
+      throw core::InvalidInput(fmt::format("{} is for experiment = \"local\"; give {}",
+                                           core::place(*path, "force_max_N"), fields.path.front().key));
+  const bool needed =
+      std::any_of(fields.path.begin(), fields.path.end(), [](const auto& field) { return field.required; });
+  if (needed && !path)
+    throw core::InvalidInput(fmt::format("{}: a {} press needs [path] {}", card.file, X::name, fields.path.front().key));
+  if (path) e = core::read_fields(*path, fields.path, e);
+  if (const Table* mesh = core::section(card, "mesh")) e = core::read_fields(*mesh, fields.mesh, e);
+  if (const Table* output = core::section(card, "output")) e = core::read_fields(*output, fields.output, e);
+  if constexpr (std::is_same_v<X, Local>)
+    if (path && path->find("delta_bar_max") && !path->find("force_max_N"))
+      e.force_max_N = std::numeric_limits<double>::infinity();
+  return e;
 }
 
 std::filesystem::path find_material(const Table& card, const std::string& what) {
@@ -183,70 +97,28 @@ material::Material read_material(const Table& card) {
   return material::read_card(core::read_toml(find_material(card, *what))).material;
 }
 
-/// A cell cannot be smaller than what is in it.
-void check_cell(const Case& c, const Table& where) {
-  const double solid = material::relative_density(c.material.model, 0);
-  const auto check = [&](const std::array<double, 3>& overlaps, const std::string& place) {
-    const double left = cell_volume(overlaps) / solid;
-    if (left < 1 / fullest * (1 - 1e-9))
-      throw core::InvalidInput(fmt::format(
-          "{} leaves the cell {:.3g} of the volume of the particle's solid; the press goes down to {:.2g}",
-          place, left, 1 / fullest));
-  };
-  if (c.experiment != "triaxial") {
-    const double d = c.delta_bar_max, wall = c.experiment == "hydrostatic" ? d : 0;
-    check({wall, wall, d}, fmt::format("{} = {}", core::place(where, "delta_bar_max"), core::number_text(d)));
-    return;
-  }
-  const std::size_t n = c.delta_bar_z.size();
-  for (const auto& [list, key] : {std::pair{&c.delta_bar_x, "delta_bar_x"}, {&c.delta_bar_y, "delta_bar_y"}})
-    if (!list->empty() && list->size() != n)
-      throw core::InvalidInput(fmt::format("{} has {} waypoints and delta_bar has {}; give as many",
-                                           core::place(where, key), list->size(), n));
-  std::array<double, 3> before{};
-  for (std::size_t i = 0; i < n; ++i) {
-    const std::array<double, 3> at{c.delta_bar_x.empty() ? 0 : c.delta_bar_x[i],
-                                   c.delta_bar_y.empty() ? 0 : c.delta_bar_y[i], c.delta_bar_z[i]};
-    if (at == before)
-      throw core::InvalidInput(
-          fmt::format("{}: at waypoint {} nothing moves", core::place(where, "delta_bar"), i + 1));
-    before = at;
-    if (!c.delta_bar_x.empty() && !c.delta_bar_y.empty())
-      check(at, fmt::format("{}: waypoint {}", core::place(where, "delta_bar"), i + 1));
-  }
-  if (n == 0) throw core::InvalidInput(fmt::format("{} needs a waypoint", core::place(where, "delta_bar")));
-}
-
-/// The sections of a confined case.
-Case read_confined(const Table& card, Case result) {
-  const bool triaxial = result.experiment == "triaxial";
-  result.delta_bar_max = zero_porosity(result.experiment);
-  result.material = read_material(card);
-  const Table* path = core::section(card, "path");
-  if (triaxial && !path)
-    throw core::InvalidInput(fmt::format("{}: a triaxial press needs [path] delta_bar", card.file));
-  if (path) result = core::read_fields(*path, triaxial ? triaxial_path_fields : confined_path_fields, result);
-  check_cell(result, path ? *path : card);
-  if (triaxial) result.delta_bar_max = path_length(result);
-  if (path && !triaxial)
-    check_within_path(result.unload_from, result.delta_bar_max, core::place(*path, "unload_from"));
-  if (const Table* mesh = core::section(card, "mesh"))
-    result = core::read_fields(*mesh, confined_mesh_fields, result);
-  if (const Table* output = core::section(card, "output")) {
-    result = core::read_fields(*output, confined_output_fields, result);
-    check_within_path(result.fields_at, result.delta_bar_max, core::place(*output, "fields_at"),
-                      triaxial ? "the way of the planes" : "delta_bar_max");
-  }
-  return result;
-}
-
-/// The path of a local case; a force that nobody asked for is not in it.
-std::string local_path_lines(const Case& c) {
+/// Lines of a section; a limit that nobody asked for, infinity, is not in it. Without defaults all lines, else
+/// those that differ from them.
+template <class X>
+std::string lines_of(const std::vector<Field<X>>& fields, const X& e, const X* defaults = nullptr) {
   std::string lines;
-  for (const auto& field : local_path_fields)
-    if (field.key != "force_max_N" || c.force_max_N < no_limit)
-      lines += core::card_line(field.key, core::value_of(field, c));
+  for (const auto& field : fields) {
+    const core::FieldValue value = core::value_of(field, e);
+    const auto* number = std::get_if<double>(&value);
+    if (number && *number == std::numeric_limits<double>::infinity()) continue;
+    if (defaults && core::value_of(field, *defaults) == value) continue;
+    lines += core::card_line(field.key, value);
+  }
   return lines;
+}
+
+template <class X> void check_fields(const std::vector<Field<X>>& fields, const X& e, std::string_view section) {
+  for (const auto& field : fields) {
+    const core::FieldValue value = core::value_of(field, e);
+    const auto* number = std::get_if<double>(&value);
+    if (number && *number == std::numeric_limits<double>::infinity() && field.allowed.high == *number) continue;
+    core::check_value(field, value, section);
+  }
 }
 
 } // namespace
@@ -255,75 +127,113 @@ Case read_case(std::string_view path) { return read_case(core::read_toml(path));
 
 Case read_case(const Table& card) {
   const std::vector<std::string> others = {"material", "path", "mesh", "output"};
-  const Head head = core::read_fields<Head>(card, head_fields, {}, others);
-  check_experiment(head.experiment, core::place(card, "experiment"));
-
-  Case result;
-  result.experiment = head.experiment;
-  result.radius_m = head.radius_m;
-  if (is_confined(head.experiment)) return read_confined(card, result);
-  if (head.experiment == "local") {
-    result = read_local(card, result);
-    result.material = read_material(card);
-    return result;
-  }
-  if (const Table* path = core::section(card, "path")) {
-    if (path->find("force_max_N"))
-      throw core::InvalidInput(fmt::format("{} is for experiment = \"local\"; give delta_bar_max",
-                                           core::place(*path, "force_max_N")));
-    result = core::read_fields(*path, path_fields, result);
-    check_within_path(result.unload_from, result.delta_bar_max, core::place(*path, "unload_from"));
-  }
-  if (const Table* mesh = core::section(card, "mesh")) result = core::read_fields(*mesh, mesh_fields, result);
-  if (const Table* output = core::section(card, "output")) {
-    result = core::read_fields(*output, output_fields, result);
-    check_within_path(result.fields_at, result.delta_bar_max, core::place(*output, "fields_at"));
-  }
-  result.material = read_material(card);
-  return result;
+  const Head head = core::read_fields(card, head_fields, Head{}, others);
+  Case c;
+  c.radius_m = head.radius_m;
+  c.experiment = std::visit([&](const auto& e) { return Experiment(read_sections(card, e)); },
+                            experiment_named(head.experiment, core::place(card, "experiment")));
+  c.material = read_material(card);
+  const Places at{core::section(card, "path"), core::section(card, "output")};
+  std::visit([&](const auto& e) { check(e, c.material, at); }, c.experiment);
+  return c;
 }
 
-void validate(const Case& c) { (void)read_case(core::parse_toml(case_text(c), "case")); }
+void validate(const Case& c) {
+  check_fields(head_fields, Head{1, std::string(name_of(c.experiment)), c.radius_m}, "");
+  std::visit(
+      [&](const auto& e) {
+        const auto& fields = card_fields(&e);
+        check_fields(fields.path, e, "path");
+        check_fields(fields.mesh, e, "mesh");
+        check_fields(fields.output, e, "output");
+        check(e, c.material, {});
+      },
+      c.experiment);
+}
 
-std::string case_text(const Case& c) {
+namespace {
+std::string text(const Case& c, bool defaults_too) {
   std::string material = material::card_text(c.material);
-  const bool local = c.experiment == "local", confined = is_confined(c.experiment);
   const auto at = material.find("[parameters]");
   material.replace(at, std::string_view("[parameters]").size(), "[material.parameters]");
-  const std::string path = local                        ? local_path_lines(c)
-                           : c.experiment == "triaxial" ? core::card_lines(triaxial_path_fields, c)
-                           : confined                   ? core::card_lines(confined_path_fields, c)
-                                                        : core::card_lines(path_fields, c);
-  return fmt::format("{}\n[path]\n{}\n[mesh]\n{}\n[output]\n{}\n[material]\n{}",
-                     core::card_lines(head_fields, Head{1, c.experiment, c.radius_m}), path,
-                     core::card_lines(local      ? local_mesh_fields
-                                      : confined ? confined_mesh_fields
-                                                 : mesh_fields,
-                                      c),
-                     core::card_lines(local      ? local_output_fields
-                                      : confined ? confined_output_fields
-                                                 : output_fields,
-                                      c),
-                     material);
+  return std::visit(
+      [&]<class X>(const X& e) {
+        const CardFields<X>& fields = card_fields(&e);
+        const X plain{};
+        const X* leave_out = defaults_too ? nullptr : &plain;
+        return fmt::format("{}\n[path]\n{}\n[mesh]\n{}\n[output]\n{}\n[material]\n{}",
+                           core::card_lines(head_fields, Head{1, std::string(X::name), c.radius_m}),
+                           lines_of(fields.path, e, leave_out), lines_of(fields.mesh, e, leave_out),
+                           lines_of(fields.output, e, leave_out), material);
+      },
+      c.experiment);
 }
+} // namespace
+
+std::string case_text(const Case& c) { return text(c, true); }
+std::string case_identity(const Case& c) { return text(c, false); }
 
 std::string case_reference() {
-  const Case defaults;
-  const auto page = [&](const std::vector<Field<Case>>& fields) {
+  const auto page = []<class X>(const std::vector<Field<X>>& fields) {
+    const X defaults{};
     std::vector<core::FieldValue> values;
     for (const auto& field : fields) values.push_back(core::value_of(field, defaults));
-    return core::reference_table(core::infos<Case>(fields), values);
+    return core::reference_table(core::infos<X>(fields), values);
   };
-  return fmt::format(
-      "# Case card\n\n{}| `material` | a name in the catalogue, a path, or a table | text or a "
-      "table |\n\n## [path]\n\n{}\n## [mesh]\n\n{}\n## [output]\n\n{}"
-      "\n# experiment = \"local\"\n\n## [path]\n\n{}\n## [mesh]\n\n{}\n## [output]\n\n{}"
-      "\n# experiment = \"die\" or \"hydrostatic\"\n\n## [path]\n\n{}\n## [mesh]\n\n{}\n## [output]\n\n{}"
-      "\n# experiment = \"triaxial\"\n\n[mesh] and [output] as of die.\n\n## [path]\n\n{}",
-      core::reference_table(core::infos<Head>(head_fields)), page(path_fields), page(mesh_fields),
-      page(output_fields), page(local_path_fields), page(local_mesh_fields), page(local_output_fields),
-      page(confined_path_fields), page(confined_mesh_fields), page(confined_output_fields),
-      page(triaxial_path_fields));
+  std::string text = fmt::format("# Case card\n\n{}| `material` | a name in the catalogue, a path, or a table | text "
+                                 "or a table |\n",
+                                 core::reference_table(core::infos<Head>(head_fields)));
+  for (const Experiment& any : experiments())
+    std::visit(
+        [&]<class X>(const X& e) {
+          const CardFields<X>& fields = card_fields(&e);
+          text += fmt::format("\n# experiment = \"{}\"\n\n## [path]\n\n{}\n## [mesh]\n\n{}\n## [output]\n\n{}", X::name,
+                              page(fields.path), page(fields.mesh), page(fields.output));
+        },
+        any);
+  return text;
+}
+
+std::string_view name_of(const Experiment& experiment) {
+  return std::visit([](const auto& e) { return e.name; }, experiment);
+}
+
+const ByOverlap* by_overlap(const Experiment& experiment) {
+  return std::visit(
+      []<class X>(const X& e) -> const ByOverlap* {
+        if constexpr (std::is_base_of_v<ByOverlap, X>) return &e;
+        else return nullptr;
+      },
+      experiment);
+}
+ByOverlap* by_overlap(Experiment& experiment) {
+  return const_cast<ByOverlap*>(by_overlap(std::as_const(experiment)));
+}
+
+std::string Places::path(std::string_view key) const {
+  return path_section ? core::place(*path_section, key) : fmt::format("[path] {}", key);
+}
+std::string Places::path(std::string_view key, double value) const {
+  return fmt::format("{} = {}", path(key), core::number_text(value));
+}
+std::string Places::output(std::string_view key) const {
+  return output_section ? core::place(*output_section, key) : fmt::format("[output] {}", key);
+}
+
+void check_within(const std::vector<double>& values, double end, const std::string& place,
+                  std::string_view end_key) {
+  if (!values.empty() && values.back() > end)
+    throw core::InvalidInput(fmt::format("{} goes to {}, beyond {} = {}", place, core::number_text(values.back()),
+                                         end_key, core::number_text(end)));
+}
+
+void check_path(const ByOverlap& e, const Places& at) {
+  check_within(e.unload_from, e.delta_bar_max, at.path("unload_from"));
+  check_within(e.fields_at, e.delta_bar_max, at.output("fields_at"));
+}
+
+Halts halts_of(const ByOverlap& e) {
+  return {.end = e.delta_bar_max, .unload_from = e.unload_from, .fields_at = e.fields_at, .reload = e.reload};
 }
 
 } // namespace platen::press

@@ -1,6 +1,7 @@
 #pragma once
 // The curve of a press: one row for each converged step.
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,32 +10,39 @@ namespace platen::press {
 
 enum class Branch { loading, unloading, reloading };
 
-/// One converged step; columns of curve.csv under the same names. Forces and overlaps: compression positive.
-/// Energies are those of one side: the whole sphere pressed from both sides, halved.
-struct CurvePoint {
-  int branch_id = 0; ///< 0: loading; others count the branches
-  Branch branch = Branch::loading;
+/// The contact with one plane. Forces and overlaps: compression positive.
+struct PlanePoint {
   double delta_m = 0;
-  double delta_bar = 0; ///< delta/R0
   double force_N = 0;
-  double F_bar = 0; ///< F/(pi R0^2 sigma_ref)
   double contact_radius_m = 0;
   double mean_pressure_Pa = 0;
   double peak_pressure_Pa = 0;
+};
+
+/// One converged step; columns of curve.csv under the same names. The plane along z, and of a confined press
+/// those along x and y, each a whole plane. Energies are those of one side: the whole sphere pressed from both
+/// sides, halved.
+struct CurvePoint : PlanePoint {
+  int branch_id = 0; ///< 0: loading; others count the branches
+  Branch branch = Branch::loading;
+  double delta_bar = 0; ///< delta/R0
+  double F_bar = 0;     ///< F/(pi R0^2 sigma_ref)
   double zone_elastic = 1, zone_shear = 0, zone_compaction = 0,
          zone_tension = 0; ///< fractions of reference volume
   double work_J = 0, stored_J = 0, dissipated_J = 0;
   double rho_r_mean = 1, rho_r_min = 1, rho_r_max = 1;
   double sigma_1_max_Pa = 0;
-  double equator_displacement_m = 0;
+  double equator_displacement_m = 0; ///< outwards, of the point of the sphere on the x axis
   double hertz_delta_m = 0; ///< delta with the far field of the finite sphere taken out: Hertz's
   double mises_max_Pa = 0;  ///< largest von Mises stress at a Gauss point
   int iterations = 0;
-  // Of a confined press: planes along x and y, each a whole plane; and the cell between the planes.
-  double delta_x_m = 0, force_x_N = 0, contact_radius_x_m = 0, mean_pressure_x_Pa = 0, peak_pressure_x_Pa = 0;
-  double delta_y_m = 0, force_y_N = 0, contact_radius_y_m = 0, mean_pressure_y_Pa = 0, peak_pressure_y_Pa = 0;
+  std::array<PlanePoint, 2> side; ///< planes along x and y
   double cell_filling = 0; ///< volume of the undeformed particle over that of the cell; 0: no closed cell
   double mesh_quality = 0; ///< least scaled Jacobian
+
+  /// Along z, x, y.
+  PlanePoint& plane(int k) { return k == 0 ? *this : side[k - 1]; }
+  const PlanePoint& plane(int k) const { return k == 0 ? *this : side[k - 1]; }
 };
 
 /// A curve with what is needed to read it.

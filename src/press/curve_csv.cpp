@@ -5,7 +5,7 @@
 #include "core/file.hpp"
 #include "core/nearest.hpp"
 #include "core/number.hpp"
-#include "press/confined.hpp"
+#include "press/case.hpp"
 
 #include <fmt/format.h>
 
@@ -19,22 +19,23 @@ namespace {
 
 using P = CurvePoint;
 
-/// One column; the order below is the order in the file.
+/// One column; the order below is the order in the file. `plane`: along z, x, y.
 struct Column {
   std::string_view name;
-  std::variant<double P::*, int P::*, Branch P::*> member;
+  std::variant<double P::*, int P::*, Branch P::*, double PlanePoint::*> member;
+  int plane = 0;
 };
 
 constexpr std::array columns = {
     Column{"branch_id", &P::branch_id},
     Column{"branch", &P::branch},
-    Column{"delta_m", &P::delta_m},
+    Column{"delta_m", &PlanePoint::delta_m},
     Column{"delta_bar", &P::delta_bar},
-    Column{"force_N", &P::force_N},
+    Column{"force_N", &PlanePoint::force_N},
     Column{"F_bar", &P::F_bar},
-    Column{"contact_radius_m", &P::contact_radius_m},
-    Column{"mean_pressure_Pa", &P::mean_pressure_Pa},
-    Column{"peak_pressure_Pa", &P::peak_pressure_Pa},
+    Column{"contact_radius_m", &PlanePoint::contact_radius_m},
+    Column{"mean_pressure_Pa", &PlanePoint::mean_pressure_Pa},
+    Column{"peak_pressure_Pa", &PlanePoint::peak_pressure_Pa},
     Column{"zone_elastic", &P::zone_elastic},
     Column{"zone_shear", &P::zone_shear},
     Column{"zone_compaction", &P::zone_compaction},
@@ -57,27 +58,28 @@ constexpr std::array cell_columns = {
     Column{"mesh_quality", &P::mesh_quality},
 };
 constexpr std::array x_columns = {
-    Column{"delta_x_m", &P::delta_x_m},
-    Column{"force_x_N", &P::force_x_N},
-    Column{"contact_radius_x_m", &P::contact_radius_x_m},
-    Column{"mean_pressure_x_Pa", &P::mean_pressure_x_Pa},
-    Column{"peak_pressure_x_Pa", &P::peak_pressure_x_Pa},
+    Column{"delta_x_m", &PlanePoint::delta_m, 1},
+    Column{"force_x_N", &PlanePoint::force_N, 1},
+    Column{"contact_radius_x_m", &PlanePoint::contact_radius_m, 1},
+    Column{"mean_pressure_x_Pa", &PlanePoint::mean_pressure_Pa, 1},
+    Column{"peak_pressure_x_Pa", &PlanePoint::peak_pressure_Pa, 1},
 };
 constexpr std::array y_columns = {
-    Column{"delta_y_m", &P::delta_y_m},
-    Column{"force_y_N", &P::force_y_N},
-    Column{"contact_radius_y_m", &P::contact_radius_y_m},
-    Column{"mean_pressure_y_Pa", &P::mean_pressure_y_Pa},
-    Column{"peak_pressure_y_Pa", &P::peak_pressure_y_Pa},
+    Column{"delta_y_m", &PlanePoint::delta_m, 2},
+    Column{"force_y_N", &PlanePoint::force_N, 2},
+    Column{"contact_radius_y_m", &PlanePoint::contact_radius_m, 2},
+    Column{"mean_pressure_y_Pa", &PlanePoint::mean_pressure_Pa, 2},
+    Column{"peak_pressure_y_Pa", &PlanePoint::peak_pressure_Pa, 2},
 };
 
 /// Hydrostatic planes are all alike, and those of the die's walls too.
 std::vector<Column> columns_of(std::string_view experiment) {
   std::vector<Column> list(columns.begin(), columns.end());
   const auto append = [&](const auto& more) { list.insert(list.end(), more.begin(), more.end()); };
-  if (is_confined(experiment)) append(cell_columns);
-  if (experiment == "die" || experiment == "triaxial") append(x_columns);
-  if (experiment == "triaxial") append(y_columns);
+  const bool die = experiment == Die::name, triaxial = experiment == Triaxial::name;
+  if (die || triaxial || experiment == Hydrostatic::name) append(cell_columns);
+  if (die || triaxial) append(x_columns);
+  if (triaxial) append(y_columns);
   return list;
 }
 
@@ -85,6 +87,8 @@ constexpr std::array<std::string_view, 3> branches = {"loading", "unloading", "r
 
 struct CellText {
   const P& point;
+  int plane;
+  std::string operator()(double PlanePoint::*x) const { return core::number_text(point.plane(plane).*x); }
   std::string operator()(double P::*x) const { return core::number_text(point.*x); }
   std::string operator()(int P::*i) const { return std::to_string(point.*i); }
   std::string operator()(Branch P::*b) const { return std::string(branches[static_cast<int>(point.*b)]); }
@@ -100,6 +104,8 @@ struct ReadCell {
     throw core::InvalidInput(fmt::format("{}, line {}, column {}: '{:.40}' {}", csv.file, row.line,
                                          csv.columns[column], row.cells[column], why));
   }
+  int plane;
+  void operator()(double PlanePoint::*x) const { point.plane(plane).*x = csv.number(row, column); }
   void operator()(double P::*x) const { point.*x = csv.number(row, column); }
   void operator()(int P::*i) const {
     const double value = csv.number(row, column);
@@ -171,7 +177,7 @@ std::string curve_csv(const Curve& curve) {
   for (const auto& point : curve.points) {
     for (const auto& column : written) {
       if (&column != written.data()) text += ',';
-      text += std::visit(CellText{point}, column.member);
+      text += std::visit(CellText{point, column.plane}, column.member);
     }
     text += '\n';
   }
@@ -200,11 +206,12 @@ Curve parse_curve(const std::string& text, const std::string& file, std::optiona
     std::size_t index;
   };
   std::vector<Found> found;
-  for (const auto& column : columns_of("triaxial"))
+  for (const auto& column : columns_of(Triaxial::name))
     if (csv.has_column(column.name)) found.push_back({column, csv.column(column.name)});
   for (const auto& row : csv.rows) {
     CurvePoint point;
-    for (const auto& [column, index] : found) std::visit(ReadCell{point, csv, row, index}, column.member);
+    for (const auto& [column, index] : found)
+      std::visit(ReadCell{point, csv, row, index, column.plane}, column.member);
     point.delta_bar = point.delta_m / curve.radius_m;
     if (!std::isfinite(point.delta_bar))
       throw core::InvalidInput(fmt::format("{}, line {}: delta_m is not within reach of radius_m = {}", file,

@@ -12,8 +12,6 @@
 namespace platen::press {
 namespace {
 
-constexpr int vtk_quad = 9, vtk_hexahedron = 12;
-
 /// Seven digits show more than a mesh resolves; text is read by every reader, whatever its byte order.
 class Writer {
  public:
@@ -40,55 +38,24 @@ class Writer {
   std::string text;
 };
 
-int zone_of(const std::array<Zone, 4>& points) {
-  std::array<int, 4> count{};
-  for (const Zone zone : points) ++count[static_cast<int>(zone)];
-  // of equally many the later: rather plastic than elastic
-  return static_cast<int>(count.rend() - std::max_element(count.rbegin(), count.rend())) - 1;
+/// A point of a section lies in the plane x = r, y = z.
+template <std::size_t N> std::string in_metres(const fe::Vector<N>& x, double radius_m) {
+  return fmt::format("{:.9g} {:.9g} {:.9g}", x[0] * radius_m, x[1] * radius_m, N == 3 ? x[N - 1] * radius_m : 0.0);
 }
 
-void points(Writer& out, const Snapshot& s, double radius_m) {
-  const auto in_metres = [&](const std::array<double, 2>& x) {
-    return fmt::format("{:.9g} {:.9g} 0", x[0] * radius_m, x[1] * radius_m);
-  };
-  out.open("PointData Vectors=\"displacement_m\"");
-  out.array("Float64", "displacement_m", 3, s.displacement, in_metres);
-  out.close("PointData");
-  out.open("Points");
-  out.array("Float64", "Points", 3, s.nodes, in_metres);
-  out.close("Points");
-}
-
-void cells(Writer& out, const Snapshot& s) {
-  int end = 0;
-  out.open("Cells");
-  out.array("Int32", "connectivity", 1, s.quads,
-            [](const auto& quad) { return fmt::format("{} {} {} {}", quad[0], quad[1], quad[2], quad[3]); });
-  out.array("Int32", "offsets", 1, s.quads, [&](const auto&) { return std::to_string(end += 4); });
-  out.array("UInt8", "types", 1, s.quads, [](const auto&) { return std::to_string(vtk_quad); });
-  out.close("Cells");
-}
-
-/// Cauchy stresses under their names, and what has the same name in all presses.
-template <class Snapshot, std::size_t N>
-void cell_values(Writer& out, const Snapshot& s, const std::array<const char*, N>& stresses) {
-  for (std::size_t i = 0; i < N; ++i)
-    out.array("Float64", stresses[i], 1, s.stress,
-              [&](const auto& stress) { return fmt::format("{:.7g}", stress[i]); });
-  out.scalars("p_Pa", s.p);
-  out.scalars("q_Pa", s.q);
-  out.scalars("rho_r", s.rho_r);
-  out.scalars("phi", s.phi);
-  out.scalars("plastic_hencky_strain_v", s.plastic_strain_v);
-  out.scalars("plastic_hencky_strain_q", s.plastic_strain_q);
-}
-
-void cell_data(Writer& out, const Snapshot& s) {
-  out.open("CellData Scalars=\"zone\"");
-  out.array("Int32", "zone", 1, s.zones, [](const auto& zones) { return std::to_string(zone_of(zones)); });
-  cell_values(out, s, std::array{"sigma_rr_Pa", "sigma_zz_Pa", "sigma_rz_Pa", "sigma_tt_Pa"});
-  out.close("CellData");
-}
+/// How files name an element and its stresses.
+template <fe::Element E> struct Names;
+template <> struct Names<fe::Quad> {
+  static constexpr int vtk_cell = 9;
+  static constexpr std::array stress{"sigma_rr_Pa", "sigma_zz_Pa", "sigma_rz_Pa", "sigma_tt_Pa"};
+  static constexpr std::string_view shown = "zone";
+};
+template <> struct Names<fe::Hexahedron> {
+  static constexpr int vtk_cell = 12;
+  static constexpr std::array stress{"sigma_xx_Pa", "sigma_yy_Pa", "sigma_zz_Pa",
+                                     "sigma_xy_Pa", "sigma_yz_Pa", "sigma_zx_Pa"};
+  static constexpr std::string_view shown = "plastic_hencky_strain_q";
+};
 
 void begin(Writer& out, double delta_bar, std::size_t points, std::size_t cells) {
   out.open("?xml version=\"1.0\"?");
@@ -107,69 +74,63 @@ std::string ended(Writer& out) {
   return std::move(out.text);
 }
 
-std::string series(const std::vector<double>& delta_bars) {
+} // namespace
+
+template <fe::Element E> std::string fields_vtu(const SnapshotOf<E>& s, double radius_m) {
+  Writer out;
+  begin(out, s.delta_bar, s.nodes.size(), s.elements.size());
+  const auto place = [&](const auto& x) { return in_metres(x, radius_m); };
+  out.open("PointData Vectors=\"displacement_m\"");
+  out.array("Float64", "displacement_m", 3, s.displacement, place);
+  out.close("PointData");
+  out.open("Points");
+  out.array("Float64", "Points", 3, s.nodes, place);
+  out.close("Points");
+  int end = 0;
+  const int corners = E::Mesh::corners;
+  out.open("Cells");
+  out.array("Int32", "connectivity", 1, s.elements,
+            [](const auto& element) { return fmt::format("{}", fmt::join(element, " ")); });
+  out.array("Int32", "offsets", 1, s.elements, [&](const auto&) { return std::to_string(end += corners); });
+  out.array("UInt8", "types", 1, s.elements, [](const auto&) { return std::to_string(Names<E>::vtk_cell); });
+  out.close("Cells");
+  out.open(fmt::format("CellData Scalars=\"{}\"", Names<E>::shown));
+  out.array("Int32", "zone", 1, s.zones,
+            [](const auto& zones) { return std::to_string(static_cast<int>(prevailing(zones))); });
+  for (std::size_t i = 0; i < Names<E>::stress.size(); ++i)
+    out.array("Float64", Names<E>::stress[i], 1, s.stress,
+              [&](const auto& stress) { return fmt::format("{:.7g}", stress[i]); });
+  out.scalars("p_Pa", s.p);
+  out.scalars("q_Pa", s.q);
+  out.scalars("rho_r", s.rho_r);
+  out.scalars("phi", s.phi);
+  out.scalars("plastic_hencky_strain_v", s.plastic_strain_v);
+  out.scalars("plastic_hencky_strain_q", s.plastic_strain_q);
+  out.close("CellData");
+  return ended(out);
+}
+
+template <fe::Element E> std::string fields_series(const std::vector<SnapshotOf<E>>& snapshots) {
   Writer out;
   out.open("?xml version=\"1.0\"?");
   out.open("VTKFile type=\"Collection\" version=\"0.1\"");
   out.open("Collection");
-  for (const double delta_bar : delta_bars)
-    out.line("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>", core::number_text(delta_bar),
-             fields_name(delta_bar));
+  for (const auto& s : snapshots)
+    out.line("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>", core::number_text(s.delta_bar),
+             fields_name(s.delta_bar));
   out.close("Collection");
   out.close("VTKFile");
   return out.text;
 }
 
-template <class Snapshots> std::string series_of(const Snapshots& snapshots) {
-  std::vector<double> delta_bars;
-  for (const auto& s : snapshots) delta_bars.push_back(s.delta_bar);
-  return series(delta_bars);
-}
-
-} // namespace
-
-std::string fields_vtu(const Snapshot& s, double radius_m) {
-  Writer out;
-  begin(out, s.delta_bar, s.nodes.size(), s.quads.size());
-  points(out, s, radius_m);
-  cells(out, s);
-  cell_data(out, s);
-  return ended(out);
-}
-
-std::string fields_vtu(const SpatialSnapshot& s, double radius_m) {
-  Writer out;
-  begin(out, s.delta_bar, s.nodes.size(), s.hexes.size());
-  const auto in_metres = [&](const fe::Vector3& x) {
-    return fmt::format("{:.9g} {:.9g} {:.9g}", x[0] * radius_m, x[1] * radius_m, x[2] * radius_m);
-  };
-  out.open("PointData Vectors=\"displacement_m\"");
-  out.array("Float64", "displacement_m", 3, s.displacement, in_metres);
-  out.close("PointData");
-  out.open("Points");
-  out.array("Float64", "Points", 3, s.nodes, in_metres);
-  out.close("Points");
-  int end = 0;
-  out.open("Cells");
-  out.array("Int32", "connectivity", 1, s.hexes,
-            [](const auto& hex) { return fmt::format("{}", fmt::join(hex, " ")); });
-  out.array("Int32", "offsets", 1, s.hexes, [&](const auto&) { return std::to_string(end += 8); });
-  out.array("UInt8", "types", 1, s.hexes, [](const auto&) { return std::to_string(vtk_hexahedron); });
-  out.close("Cells");
-  out.open("CellData Scalars=\"plastic_hencky_strain_q\"");
-  out.array("Int32", "zone", 1, s.zone, [](Zone zone) { return std::to_string(static_cast<int>(zone)); });
-  cell_values(
-      out, s,
-      std::array{"sigma_xx_Pa", "sigma_yy_Pa", "sigma_zz_Pa", "sigma_xy_Pa", "sigma_yz_Pa", "sigma_zx_Pa"});
-  out.close("CellData");
-  return ended(out);
-}
+template std::string fields_vtu(const Snapshot&, double);
+template std::string fields_vtu(const SpatialSnapshot&, double);
+template std::string fields_series(const std::vector<Snapshot>&);
+template std::string fields_series(const std::vector<SpatialSnapshot>&);
 
 std::string fields_name(double delta_bar) {
   return fmt::format("fields-{}.vtu", core::number_text(delta_bar));
 }
 
-std::string fields_series(const std::vector<Snapshot>& snapshots) { return series_of(snapshots); }
-std::string fields_series(const std::vector<SpatialSnapshot>& snapshots) { return series_of(snapshots); }
 
 } // namespace platen::press

@@ -1,28 +1,41 @@
-#include "press/simple.hpp"
-
-#include "core/error.hpp"
-#include "press/by_overlap.hpp"
+#include "core/fields.hpp"
+#include "fe/quarter_disc.hpp"
+#include "press/card_fields.hpp"
+#include "press/confined.hpp"
 
 namespace platen::press {
-namespace {
 
-void check(const Case& c) {
-  const auto refuse = [](const std::string& what) { throw core::InvalidInput(what); };
-  if (!(c.delta_bar_max > 0 && c.delta_bar_max <= 0.5)) refuse("delta_bar_max must lie in (0, 0.5]");
-  if (!(c.radius_m > 0)) refuse("radius_m must be positive");
-  if (!(c.step_max > 0)) refuse("step_max must be positive");
-  if (c.elements < 32 || c.elements > 200000) refuse("elements must lie in [32, 200000]");
-  for (const double d : c.unload_from)
-    if (!(d > 0 && d <= c.delta_bar_max)) refuse("unload_from must lie in (0, delta_bar_max]");
-  for (const double d : c.fields_at)
-    if (!(d > 0 && d <= c.delta_bar_max)) refuse("fields_at must lie in (0, delta_bar_max]");
+// delta_bar ends at 0.5, where the published simulations end (Edmans & Sinka, section 4).
+const CardFields<Simple>& card_fields(const Simple*) {
+  static const CardFields<Simple> fields = by_overlap_fields<Simple>(
+      "largest delta/R0", core::left_open(0, 0.5), "wanted number of elements; the mesh comes close to it",
+      core::closed(32, 200000));
+  return fields;
 }
 
+void check(const Simple& e, const material::Material&, const Places& at) { check_path(e, at); }
+
+namespace {
+Motion upright() {
+  return {[](double t) { return std::array{t, 0.0, 0.0}; }, {}, {}};
+}
 } // namespace
 
-Result simple(const Case& c, const Progress& progress) {
-  check(c);
-  return PressByOverlap<SphereRun>(c, progress)();
+SectionPlan plan(const Simple& e) {
+  SectionPlan plan{.mesh = fe::quarter_disc(e.elements)};
+  plan.normals = {{0, 1}};
+  plan.copies = {1};
+  plan.equator_node = plan.mesh.surface.back()[1];
+  plan.motion = upright();
+  plan.steps = {.first = 1e-4, .relative_max = 0.04, .largest = e.step_max};
+  plan.halts = halts_of(e);
+  return plan;
+}
+
+WedgePlan plan_in_space(const Simple& e) {
+  WedgePlan plan = confined_plan(fe::Wedge::sixteenth, e.elements, {true, false, false}, upright(), e.step_max);
+  plan.halts = halts_of(e);
+  return plan;
 }
 
 } // namespace platen::press

@@ -3,6 +3,7 @@
 #include "core/toml.hpp"
 #include "core/version.hpp"
 #include "press/case_card.hpp"
+#include "press/confined.hpp"
 #include "press/regimes.hpp"
 #include "press/tension.hpp"
 
@@ -118,32 +119,28 @@ Json json_of(const Regimes& found) {
 
 } // namespace
 
-std::string summary_json(const Case& c, const Result& result) { return text_of(summary_of(c, result)); }
-
-std::string summary_json(const Case& c, const LocalResult& result) {
+std::string summary_json(const Case& c, const Result& result) {
   Json summary = summary_of(c, result);
-  summary["yield_on_axis"] = json_of(result.axis);
-  summary["yield_at_edge"] = json_of(result.edge);
-  Json broken = Json::array();
-  for (const auto& b : result.break_through)
-    broken.push_back({{"plastic_strain", b.plastic_strain}, {"force_N", b.force_N}});
-  summary["break_through"] = broken;
-  return text_of(summary);
-}
-
-std::string summary_json(const Case& c, const ConfinedResult& result) {
-  Json summary = summary_of(c, result);
-  const auto plane = [](double delta, double force, double radius, double pressure) {
-    return Json{
-        {"delta_m", delta}, {"force_N", force}, {"contact_radius_m", radius}, {"mean_pressure_Pa", pressure}};
-  };
+  if (std::holds_alternative<Local>(c.experiment)) {
+    summary["yield_on_axis"] = json_of(result.axis);
+    summary["yield_at_edge"] = json_of(result.edge);
+    Json broken = Json::array();
+    for (const auto& b : result.break_through)
+      broken.push_back({{"plastic_strain", b.plastic_strain}, {"force_N", b.force_N}});
+    summary["break_through"] = broken;
+  }
+  if (!is_confined(c.experiment)) return text_of(summary);
   if (const CurvePoint* p = loading_end(result.curve)) {
     summary["cell_filling"] = p->cell_filling;
     summary["mesh_quality"] = p->mesh_quality;
-    summary["planes"] = {
-        {"z", plane(p->delta_m, p->force_N, p->contact_radius_m, p->mean_pressure_Pa)},
-        {"x", plane(p->delta_x_m, p->force_x_N, p->contact_radius_x_m, p->mean_pressure_x_Pa)},
-        {"y", plane(p->delta_y_m, p->force_y_N, p->contact_radius_y_m, p->mean_pressure_y_Pa)}};
+    constexpr std::array axes{"z", "x", "y"};
+    for (int k = 0; k < 3; ++k) {
+      const PlanePoint& plane = p->plane(k);
+      summary["planes"][axes[k]] = {{"delta_m", plane.delta_m},
+                                    {"force_N", plane.force_N},
+                                    {"contact_radius_m", plane.contact_radius_m},
+                                    {"mean_pressure_Pa", plane.mean_pressure_Pa}};
+    }
   }
   summary["regimes"] = json_of(regimes(result.curve));
   return text_of(summary);

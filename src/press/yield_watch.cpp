@@ -35,10 +35,8 @@ struct Strength {
 };
 
 /// Norm of the plastic Hencky strain of a point: PEMAG of WG Fig. 3, sqrt(2/3 e:e), of the shape reached.
-double plastic_magnitude(const fe::PointState& point) {
-  const auto& [rr, zz, rz, tt] = point.Cp_inv;
-  const double mean = (rr + zz) / 2, radius = std::hypot((rr - zz) / 2, rz);
-  const double a = std::log(mean + radius) / 2, b = std::log(mean - radius) / 2, c = std::log(tt) / 2;
+double plastic_magnitude(const fe::Quad::State& point) {
+  const auto [a, b, c] = fe::Quad::plastic_strain(point);
   return std::sqrt(2.0 / 3 * (a * a + b * b + c * c));
 }
 
@@ -48,81 +46,70 @@ std::pair<double, double> drucker_prager_strength(const material::Model& model) 
   return std::visit(Strength{}, model);
 }
 
-YieldWatch::YieldWatch(const Case& c, const SphereRun& run) : press_case(c) {
-  const fe::AxisymmetricMesh& mesh = run.sphere().mesh;
-  const double inner = (1 - 1 / std::numbers::sqrt3) / 2, outer = 1 - inner;
-  constexpr std::array<std::array<int, 2>, 4> corners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+/// Where the Gauss points are, and which elements lie beside each other and at the sphere.
+void YieldWatch::learn(const fe::Solid<fe::Quad>& solid) {
+  const fe::SectionMesh& mesh = solid.mesh;
+  for (int i = 0; i < solid.points(); ++i) {
+    const auto [r, z] = solid.place(i);
+    places.push_back({r, 1 - z});
+  }
   std::map<std::pair<int, int>, int> edges;
-  neighbours.resize(mesh.quads.size());
-  for (int e = 0; e < static_cast<int>(mesh.quads.size()); ++e) {
-    const auto& quad = mesh.quads[e];
-    for (const auto& g : corners) {
-      const double s = g[0] ? outer : inner, t = g[1] ? outer : inner;
-      const std::array<double, 4> N{(1 - s) * (1 - t), s * (1 - t), s * t, (1 - s) * t};
-      std::array<double, 2> x{0, 1};
-      for (int a = 0; a < 4; ++a) {
-        x[0] += N[a] * mesh.nodes[quad[a]][0];
-        x[1] -= N[a] * mesh.nodes[quad[a]][1];
-      }
-      places.push_back(x);
-    }
+  neighbours.resize(mesh.elements.size());
+  for (int e = 0; e < solid.elements(); ++e)
     for (int a = 0; a < 4; ++a) {
-      const int n = quad[a], m = quad[(a + 1) % 4];
+      const int n = mesh.elements[e][a], m = mesh.elements[e][(a + 1) % 4];
       const auto [at, is_new] = edges.try_emplace({std::min(n, m), std::max(n, m)}, e);
       if (is_new) continue;
       neighbours[e].push_back(at->second);
       neighbours[at->second].push_back(e);
     }
-  }
-  for (std::size_t i = 0; i + 1 < mesh.surface.size(); ++i) {
-    const int n = mesh.surface[i], m = mesh.surface[i + 1];
+  for (const auto& [n, m] : mesh.surface)
     at_sphere.emplace_back(edges.at({std::min(n, m), std::max(n, m)}), mesh.nodes[n][0]);
-  }
 }
 
-void YieldWatch::look(const SphereRun& run) {
-  look_for_onset(run);
-  look_for_break_through(run);
+void YieldWatch::look(const Stepper& stepper, const State& state) {
+  if (places.empty()) learn(stepper.solid());
+  look_for_onset(stepper, state);
+  look_for_break_through(stepper, state);
 }
 
-void YieldWatch::look_for_onset(const SphereRun& run) {
-  const double a = run.row().contact_radius_m / press_case.radius_m;
-  if (a < press_case.first_contact_bar) return;
+void YieldWatch::look_for_onset(const Stepper& stepper, const State& state) {
+  const double a = state.row.contact_radius_m / stepper.radius_m;
+  if (a < first_contact_bar) return;
   if (!axis.met) {
     double least = std::numeric_limits<double>::infinity();
     std::array<double, 2> place{};
     for (std::size_t i = 0; i < places.size(); ++i) {
       const auto [r, depth] = places[i];
       if (r >= on_axis * a || depth >= 2 * a) continue;
-      const material::PointUpdate& point = run.sphere().updates[i];
+      const material::PointUpdate& point = stepper.response().updates[i];
       const bool elastic = point.zone == Zone::elastic;
       const double reserve =
-          elastic ? material::stress_reserve(run.sphere().model, point.sigma, point.phi) : 1;
+          elastic ? material::stress_reserve(stepper.solid().model, point.sigma, point.phi) : 1;
       if (reserve >= least) continue;
       least = reserve;
       place = {r / a, depth / a};
     }
-    extend(axis, run.row().force_N, place, least);
+    extend(axis, state.row.force_N, place, least);
   }
-  if (!edge.met) extend(edge, run.row().force_N, {1, 0}, edge_reserve(run));
+  if (!edge.met) extend(edge, state.row.force_N, {1, 0}, edge_reserve(stepper, state));
 }
 
 /// The factor by which the stress of the surface at the contact edge may grow. Under the surface it falls
 /// with the square root of the depth, too steeply for any Gauss point; along the free surface it falls as
 /// 1/r^2. So it is taken from the strains of the free surface, where one principal stress is zero, and
 /// followed to the contact edge along a line through (r/a)^2/reserve.
-double YieldWatch::edge_reserve(const SphereRun& run) const {
-  const fe::AxisymmetricMesh& mesh = run.sphere().mesh;
-  const std::vector<double>& u = run.state().u;
-  const double E = material::initial_E(run.sphere().model), nu = material::initial_nu(run.sphere().model);
-  const double a = run.row().contact_radius_m / press_case.radius_m;
+double YieldWatch::edge_reserve(const Stepper& stepper, const State& state) const {
+  const fe::SectionMesh& mesh = stepper.solid().mesh;
+  const std::vector<double> u = stepper.displacement(state);
+  const double E = material::initial_E(stepper.solid().model), nu = material::initial_nu(stepper.solid().model);
+  const double a = state.row.contact_radius_m / stepper.radius_m;
   const auto place = [&](int node) {
     return std::array{mesh.nodes[node][0] + u[2 * node], mesh.nodes[node][1] + u[2 * node + 1]};
   };
   double n = 0, x = 0, y = 0, xx = 0, xy = 0;
   int free = 0;
-  for (std::size_t i = 0; i + 1 < mesh.surface.size(); ++i) {
-    const int from = mesh.surface[i], to = mesh.surface[i + 1];
+  for (const auto& [from, to] : mesh.surface) {
     const auto A = mesh.nodes[from], B = mesh.nodes[to], p = place(from), q = place(to);
     if (p[0] < a || ++free <= edges_left_out) continue;
     const double r = (p[0] + q[0]) / 2;
@@ -132,7 +119,7 @@ double YieldWatch::edge_reserve(const SphereRun& run) const {
                  around = std::log((p[0] + q[0]) / (A[0] + B[0]));
     const double plane = E / (1 - nu * nu);
     const double reserve = material::stress_reserve(
-        run.sphere().model, {plane * (along + nu * around), plane * (around + nu * along), 0}, 0);
+        stepper.solid().model, {plane * (along + nu * around), plane * (around + nu * along), 0}, 0);
     const double t = r / a - 1, value = (1 + t) * (1 + t) / reserve;
     n += 1, x += t, y += value, xx += t * t, xy += t * value;
   }
@@ -145,13 +132,13 @@ void YieldWatch::extend(Candidate& candidate, double force_N, std::array<double,
   else if (reserve < 1e6) candidate.last = Onset{force_N * std::pow(reserve, 3), place[0], place[1]};
 }
 
-void YieldWatch::look_for_break_through(const SphereRun& run) {
-  if (broken.size() == joining_strains.size() || run.row().zone_elastic == 1) return;
-  const auto& points = run.state().points;
+void YieldWatch::look_for_break_through(const Stepper& stepper, const State& state) {
+  if (broken.size() == joining_strains.size() || state.row.zone_elastic == 1) return;
+  const auto& points = state.points;
   std::vector<double> plastic(neighbours.size(), 0);
   for (std::size_t i = 0; i < points.size(); ++i) plastic[i / 4] += plastic_magnitude(points[i].state) / 4;
-  const double now = joining_strain(plastic, run.row().contact_radius_m / press_case.radius_m);
-  const double F = run.row().force_N;
+  const double now = joining_strain(plastic, state.row.contact_radius_m / stepper.radius_m);
+  const double F = state.row.force_N;
   for (const double threshold : joining_strains)
     if (joined.plastic_strain < threshold && now >= threshold)
       broken.push_back(
@@ -186,7 +173,7 @@ double YieldWatch::joining_strain(const std::vector<double>& plastic, double a) 
   return most;
 }
 
-void YieldWatch::report(LocalResult& result) const {
+void YieldWatch::report(Result& result) const {
   if (axis.met) result.axis = axis.last;
   if (edge.met) result.edge = edge.last;
   if ((axis.met && !axis.last) || (edge.met && !edge.last))

@@ -1,5 +1,7 @@
 #include "study/grid.hpp"
 
+#include "press/case.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -61,8 +63,8 @@ void add_branch(std::vector<GridPoint>& rows, const press::Curve& curve,
   const double R = curve.radius_m, unit = std::numbers::pi * R * R * curve.sigma_ref_Pa;
   const auto delta_bar = column(points, [](const CurvePoint& p) { return p.delta_bar; });
   const auto force = column(points, [](const CurvePoint& p) { return p.force_N; });
-  const bool x_walls = curve.experiment == "die" || curve.experiment == "triaxial";
-  const bool y_walls = curve.experiment == "triaxial";
+  const bool x_walls = curve.experiment == press::Die::name || curve.experiment == press::Triaxial::name;
+  const bool y_walls = curve.experiment == press::Triaxial::name;
   const bool turns = points.size() < 2 || direction(delta_bar) == 0;
   const auto grid = turns ? delta_bar : overlaps(delta_bar, force, points.front().branch, step);
   for (std::size_t i = 0; i < grid.size(); ++i) {
@@ -70,18 +72,18 @@ void add_branch(std::vector<GridPoint>& rows, const press::Curve& curve,
       const auto values = column(points, of);
       return turns ? values[i] : interpolate(delta_bar, values, grid[i]);
     };
-    const auto contact = [&](double CurvePoint::*F, double CurvePoint::*a) {
-      return Contact{at([&](const CurvePoint& p) { return p.*F; }) / unit,
-                     at([&](const CurvePoint& p) { return p.*a; }) / R};
+    const auto contact = [&](int plane) { // along z, x, y
+      return Contact{at([&](const CurvePoint& p) { return p.plane(plane).force_N; }) / unit,
+                     at([&](const CurvePoint& p) { return p.plane(plane).contact_radius_m; }) / R};
     };
     GridPoint row{points.front().branch_id,
                   points.front().branch,
                   grid[i],
-                  contact(&CurvePoint::force_N, &CurvePoint::contact_radius_m),
+                  contact(0),
                   {},
                   {}};
-    if (x_walls) row.x = contact(&CurvePoint::force_x_N, &CurvePoint::contact_radius_x_m);
-    if (y_walls) row.y = contact(&CurvePoint::force_y_N, &CurvePoint::contact_radius_y_m);
+    if (x_walls) row.x = contact(1);
+    if (y_walls) row.y = contact(2);
     rows.push_back(row);
   }
 }

@@ -56,12 +56,10 @@ std::vector<Rows> curves_of(const core::Csv& csv, std::size_t runs) {
   return curves;
 }
 
-bool can_end_early(const press::Case& c) { return c.experiment != "local" && c.experiment != "triaxial"; }
-
 /// Two steps on, so that the curve up to there is interpolated as that of the whole press: a step is at most
 /// 4 % of the overlap, and at most step_max.
-double behind(double delta_bar, const press::Case& c) {
-  return delta_bar + std::min(0.09 * delta_bar, 2.02 * c.step_max);
+double behind(double delta_bar, const press::ByOverlap& e) {
+  return delta_bar + std::min(0.09 * delta_bar, 2.02 * e.step_max);
 }
 
 /// The rows of a loading branch up to an overlap.
@@ -160,8 +158,9 @@ std::vector<Comparison> recompute(const Pool& pool, const std::vector<std::size_
   for (const auto i : runs) {
     again.runs.push_back(pool.study.runs[i]);
     auto& run = again.runs.back();
-    whole.push_back(!(until > 0 && can_end_early(run.press_case) && until < run.press_case.delta_bar_max));
-    if (!whole.back()) run.stop_at = behind(until, run.press_case);
+    const press::ByOverlap* path = press::by_overlap(run.press_case.experiment); // others cannot end early
+    whole.push_back(!(until > 0 && path && until < path->delta_bar_max));
+    if (!whole.back()) run.stop_at = behind(until, *path);
   }
   Store store(scratch.path(), again.name);
   store.open_for_writing(OldRuns::ask);

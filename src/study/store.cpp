@@ -107,7 +107,8 @@ void remove_if_stale(const fs::path& claim) {
 } // namespace
 
 std::string key_of(const press::Case& c, int engine) {
-  return core::sha256(fmt::format("engine = {}\n{}", engine, press::case_text(c))).substr(0, 32);
+  constexpr int schema = 1; // raised when what names a run changes, though its result does not
+  return core::sha256(fmt::format("schema = {}\nengine = {}\n{}", schema, engine, press::case_identity(c))).substr(0, 32);
 }
 
 Claim::~Claim() {
@@ -206,8 +207,7 @@ std::optional<Claim> Store::claim(const std::string& key) const {
   return {};
 }
 
-void Store::keep(const std::string& key, const press::Case& c, const press::AnyResult& any, Cost cost) const {
-  const press::Result& result = press::common(any);
+void Store::keep(const std::string& key, const press::Case& c, const press::Result& result, Cost cost) const {
   const fs::path folder = temporary(key);
   std::error_code error;
   fs::remove_all(folder, error);
@@ -216,7 +216,7 @@ void Store::keep(const std::string& key, const press::Case& c, const press::AnyR
     core::write_file(folder / "case.toml", press::case_text(c));
     press::write_curve(result.curve, folder / "curve.csv");
     core::write_file(folder / "summary.json",
-                     std::visit([&](const auto& r) { return press::summary_json(c, r); }, any));
+                     press::summary_json(c, result));
     core::write_file(folder / "cost.txt", fmt::format("{:.3f} {:.3f}\n", cost.cpu_s, cost.wall_s));
     if (result.failure) core::write_file(folder / "failure.txt", *result.failure + "\n");
     fs::rename(folder, run(key), error);

@@ -3,7 +3,8 @@
 // so it is whole or not there. claims/KEY keeps two workers from one run.
 
 #include "core/version.hpp"
-#include "press/experiment.hpp"
+#include "press/case.hpp"
+#include "press/result.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -62,7 +63,7 @@ class Store {
     double cpu_s = 0, wall_s = 0;
   };
   /// IoError leaves nothing half-written. A run that is there already stays as it is.
-  void keep(const std::string& key, const press::Case&, const press::AnyResult&, Cost) const;
+  void keep(const std::string& key, const press::Case&, const press::Result&, Cost) const;
   void forget(const std::string& key) const;
   Cost cost(const std::string& key) const;
   /// Why the run failed; empty for one that is done.

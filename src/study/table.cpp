@@ -146,9 +146,15 @@ std::vector<std::string> fitted_laws() {
   return names;
 }
 
+/// Where the runs of a study unload, by overlap.
+std::vector<double> unloading_of(const press::Case& c) {
+  const press::ByOverlap* path = press::by_overlap(c.experiment);
+  return path ? path->unload_from : std::vector<double>{};
+}
+
 Sheet runs_sheet(const Study& study, const Store& store, std::string_view variant) {
   // Factors may change where a run unloads; columns are those of the first.
-  const auto from = study.runs.front().press_case.unload_from;
+  const auto from = unloading_of(study.runs.front().press_case);
   Sheet sheet{
       "runs",
       {{"study", study.name}, {"engine", engines_of(study, store)}, {"variant", std::string(variant)}},
@@ -193,7 +199,7 @@ Sheet curves_sheet(const Study& study, const Store& store, double step) {
   constexpr std::array branches = {"loading", "unloading", "reloading"};
   const auto any = [&](std::initializer_list<std::string_view> experiments) {
     return std::any_of(study.runs.begin(), study.runs.end(), [&](const Run& run) {
-      return std::find(experiments.begin(), experiments.end(), run.press_case.experiment) !=
+      return std::find(experiments.begin(), experiments.end(), press::name_of(run.press_case.experiment)) !=
              experiments.end();
     });
   };

@@ -1,5 +1,6 @@
 #include "study/work.hpp"
 
+#include "press/press.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "core/say.hpp"
@@ -44,7 +45,7 @@ void press_one(const Run& run, const Store& store, const std::string& key, const
     }
     return !core::interrupted() && !(run.stop_at > 0 && point.delta_bar > run.stop_at);
   });
-  if (press::common(result).interrupted) stop_where_asked(); // unless it stopped where the run says
+  if (result.interrupted) stop_where_asked(); // unless it stopped where the run says
   store.keep(key, run.press_case, result,
              {cpu_now() - cpu, std::chrono::duration<double>(Clock::now() - start).count()});
 }

@@ -116,7 +116,7 @@ TEST_F(Pictures, RefuseSnapshotsThatDoNotFitTogether) {
   snapshot.zones.pop_back();
   EXPECT_THROW(plot::zone_map({snapshot}, "", folder_ / "z.svg"), core::InvalidInput);
   snapshot = test::quarter_disc(6, 0.1, by_radius);
-  snapshot.quads[3][2] = 4711;
+  snapshot.elements[3][2] = 4711;
   EXPECT_THROW(plot::field_map({snapshot}, plot::relative_density(), "", folder_ / "z.svg"),
                core::InvalidInput);
   EXPECT_EQ(files(), 0u);
@@ -148,7 +148,7 @@ TEST_F(Pictures, AZoneMapIsDrawnAsPng) {
 
 TEST_F(Pictures, OfALocalPressNameLoadsAndUnits) {
   if (!has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
-  press::LocalResult result;
+  press::Result result;
   EXPECT_THROW(plot::approach_picture(result, folder_ / "approach.svg"), core::InvalidInput);
   EXPECT_THROW(plot::plastic_zone_picture(result, folder_ / "zones.svg"), core::InvalidInput);
   result.curve = curve();
@@ -183,7 +183,7 @@ TEST_F(Pictures, OfALocalPressNameLoadsAndUnits) {
 }
 
 /// A coarse ball between planes that move one after the other.
-press::ConfinedResult squeezed() {
+press::Result squeezed() {
   press::Case c;
   c.experiment = "triaxial";
   c.material = material::read_card("von-mises-100").material;

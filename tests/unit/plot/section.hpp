@@ -1,7 +1,7 @@
 #pragma once
 // Snapshots made from formulas, for the tests of pictures.
 
-#include "press/simple.hpp"
+#include "press/press.hpp"
 
 #include <cmath>
 #include <functional>
@@ -22,7 +22,7 @@ inline press::Snapshot quarter_disc(int n, double delta_bar,
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {
       const int corner = j * (n + 1) + i;
-      snapshot.quads.push_back({corner, corner + 1, corner + n + 2, corner + n + 1});
+      snapshot.elements.push_back({corner, corner + 1, corner + n + 2, corner + n + 1});
       const auto centre = [&](double du, double dv) { return zone_at((i + du) / n, (j + dv) / n); };
       snapshot.zones.push_back({centre(.25, .25), centre(.75, .25), centre(.75, .75), centre(.25, .75)});
       snapshot.rho_r.push_back(0.7 + 0.2 * delta_bar * (j + 0.5) / n);

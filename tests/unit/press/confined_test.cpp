@@ -1,6 +1,6 @@
 // The confined presses on small meshes: what must hold whatever the mesh.
 
-#include "press/confined.hpp"
+#include "press/press.hpp"
 
 #include "core/error.hpp"
 #include "press/case_card.hpp"

@@ -1,6 +1,6 @@
 #include "press/fields_vtu.hpp"
 
-#include "press/simple.hpp"
+#include "press/press.hpp"
 
 #include <gtest/gtest.h>
 
@@ -60,7 +60,7 @@ TEST(FieldsVtu, SayWhatTheSnapshotHolds) {
     displacements.insert(displacements.end(),
                          {s.displacement[i][0] * radius_m, s.displacement[i][1] * radius_m, 0});
   }
-  for (const auto& quad : s.quads) {
+  for (const auto& quad : s.elements) {
     corners.insert(corners.end(), quad.begin(), quad.end());
     ends.push_back(static_cast<double>(corners.size()));
     types.push_back(9); // VTK_QUAD
@@ -108,13 +108,13 @@ TEST(Snapshot, LosesPlasticVolumeWhereDensityGrows) {
   // rho_r = rho_r0 exp(-eps_v^p) of the volumetric plastic strain (ES eq. 3a): C_p^-1 and phi must agree.
   const auto result = pressed(granule, 0.1);
   const auto& s = result.snapshots.front();
-  for (std::size_t e = 0; e < s.quads.size(); ++e) ASSERT_NEAR(s.plastic_strain_v[e], -s.phi[e], 1e-9) << e;
+  for (std::size_t e = 0; e < s.elements.size(); ++e) ASSERT_NEAR(s.plastic_strain_v[e], -s.phi[e], 1e-9) << e;
 }
 
 TEST(Snapshot, HasNoPlasticStrainInAnElasticSphere) {
   const auto result = pressed(material::Elastic{1e9, 0.3}, 0.02);
   const auto& s = result.snapshots.front();
-  for (std::size_t e = 0; e < s.quads.size(); ++e) {
+  for (std::size_t e = 0; e < s.elements.size(); ++e) {
     ASSERT_NEAR(s.plastic_strain_v[e], 0, 1e-13);
     ASSERT_NEAR(s.plastic_strain_q[e], 0, 1e-13);
   }
@@ -125,7 +125,7 @@ TEST(Snapshot, ShearsAMetalWithoutChangeOfVolume) {
   const auto result = pressed(material::VonMises{100e6, 0.3, 1e6}, 0.2);
   const auto& s = result.snapshots.front();
   double largest = 0;
-  for (std::size_t e = 0; e < s.quads.size(); ++e) {
+  for (std::size_t e = 0; e < s.elements.size(); ++e) {
     ASSERT_NEAR(s.plastic_strain_v[e], 0, 1e-12);
     ASSERT_LE(s.plastic_strain_q[e], s.phi[e] * (1 + 1e-3) + 1e-9);
     largest = std::max(largest, s.plastic_strain_q[e]);

@@ -1,7 +1,7 @@
 // The main job on Edmans & Sinka's base case, against what their paper says of its law.
 
 #include "fit/edmans_sinka.hpp"
-#include "press/simple.hpp"
+#include "press/press.hpp"
 
 #include <gtest/gtest.h>
 

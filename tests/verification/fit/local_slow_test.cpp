@@ -4,7 +4,7 @@
 #include "../press/hertz.hpp"
 #include "fit/wang.hpp"
 #include "platen/law/drucker_prager_yield.hpp"
-#include "press/local.hpp"
+#include "press/press.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include "fit/smooth.hpp"
 #include "material/card.hpp"
-#include "press/simple.hpp"
+#include "press/press.hpp"
 
 #include <gtest/gtest.h>
 

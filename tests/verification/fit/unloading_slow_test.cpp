@@ -5,7 +5,7 @@
 #include "core/catalogue.hpp"
 #include "fit/unloading.hpp"
 #include "material/card.hpp"
-#include "press/simple.hpp"
+#include "press/press.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

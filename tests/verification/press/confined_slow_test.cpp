@@ -1,6 +1,6 @@
 // The press in space against the axisymmetric one, closed forms, finer meshes, and the published laws.
 
-#include "press/confined.hpp"
+#include "press/press.hpp"
 
 #include "material/models.hpp"
 

@@ -2,7 +2,7 @@
 // first to the last, and the error of a four-node element falls with their square, so the value at no size is
 // F_3 + (F_3 - F_1)/3.
 
-#include "press/simple.hpp"
+#include "press/press.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Hertz for the tests of the local press.
 #pragma once
 
-#include "press/local.hpp"
+#include "press/press.hpp"
 
 #include <gtest/gtest.h>
 

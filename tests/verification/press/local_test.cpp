@@ -1,7 +1,7 @@
 // The local press against Hertz, at loads that take seconds. The long range is in local_slow_test.cpp.
 
 #include "hertz.hpp"
-#include "press/local.hpp"
+#include "press/press.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // paper's surfaces, and the other papers' materials. What cannot carry its load must say so.
 
 #include "material/card.hpp"
-#include "press/simple.hpp"
+#include "press/press.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The tangent is consistent: where neither contact nor zones change, Newton's residuals fall quadratically
 // down to rounding.
 
-#include "press/sphere_run.hpp"
+#include "press/step.hpp"
 
 #include <gtest/gtest.h>
 

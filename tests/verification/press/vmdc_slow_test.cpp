@@ -1,7 +1,7 @@
 // Compressible particles in the simple press: they run with the defaults, balance energy, and do not depend
 // on the size of steps and elements.
 
-#include "press/simple.hpp"
+#include "press/press.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The simple press against independent finite elements and closed forms, on the default mesh.
 
-#include "press/simple.hpp"
+#include "press/press.hpp"
 
 #include <gtest/gtest.h>
 
