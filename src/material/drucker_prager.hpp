@@ -3,6 +3,7 @@
 #include "material/plasticity.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -22,6 +23,9 @@ struct DruckerPrager {
   double sigma_c;  ///< uniaxial compressive strength (Pa), > 0
   double psi_deg;  ///< dilation angle in the (p, q) plane (degrees), in [0, beta]; beta: associated
 
+  static constexpr std::string_view name = "drucker-prager";
+  static const CardSection<DruckerPrager>& card();
+
   static constexpr PhiRate phi_rate{-1, 0};
 
   /// beta of a friction angle phi measured in triaxial compression (degrees): tan(beta) = 6 sin(phi)/(3 -
@@ -29,6 +33,13 @@ struct DruckerPrager {
   static double beta_of_friction(double phi_deg) {
     const double sin_phi = std::sin(phi_deg * degree);
     return std::atan(6 * sin_phi / (3 - sin_phi)) / degree;
+  }
+  /// phi of beta (degrees): the number of ten decimals that has this beta, where there is one.
+  double friction_deg() const {
+    const double tan_beta = std::tan(beta_deg * degree);
+    const double phi = std::asin(3 * tan_beta / (6 + tan_beta)) / degree,
+                 rounded = std::round(phi * 1e10) / 1e10;
+    return std::abs(beta_of_friction(rounded) - beta_deg) < 1e-14 * beta_deg ? rounded : phi;
   }
   /// sigma_c = 2 C cos(phi)/(1 - sin(phi)) (WG eq. 15).
   static double strength_of_cohesion(double cohesion, double phi_deg) {
@@ -62,6 +73,7 @@ struct DruckerPrager {
       return d * (std::atan2(q * K_over_3G, p - p_apex()) / angle_of_line() - 1);
     }
     Zone zone(double s) const { return s < 0 ? Zone::tension : Zone::shear; }
+    std::array<double, 2> drawn(double p_low, double) const { return {0, std::max(p_apex() - p_low, 0.0)}; }
 
    private:
     double angle_of_line() const { return std::atan2(1, tan_psi); } ///< of the flow, from the axis p

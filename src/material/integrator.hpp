@@ -26,35 +26,6 @@
 
 namespace platen::material {
 
-/// Invariants of a trial elastic Hencky strain.
-struct TrialInvariants {
-  double eps_v; ///< trace
-  double eps_q; ///< sqrt(2/3 e:e), e the deviator
-};
-
-enum class Status : unsigned char {
-  elastic,
-  plastic,   ///< Newton converged
-  bracketed, ///< the bracketing fall-back was needed
-  refused,   ///< no admissible state was found: cut the step
-  unstable   ///< refused as well: densification raises the elastic stress faster than the surface gives way
-};
-
-/// Whether the update has no state to give.
-constexpr bool is_refused(Status status) { return status >= Status::refused; }
-
-/// The state after the increment, and the consistent tangent d(p, q)/d(eps_v^tr, eps_q^tr).
-struct InvariantResponse {
-  Status status = Status::elastic;
-  Zone zone = Zone::elastic;
-  double p = 0, q = 0;         ///< Cauchy (Pa)
-  double eps_v = 0, eps_q = 0; ///< elastic strain
-  double exp_v = 1;            ///< e^{-eps_v}
-  double phi = 0;
-  double p_v = 0, p_q = 0, q_v = 0, q_q = 0; ///< tangent (Pa)
-  int iterations = 0;
-};
-
 /// Relative residual of the local equations at which a return counts as converged. Newton is quadratic there,
 /// so that the state is exact to rounding.
 inline constexpr double relative_return_tolerance = 1e-12;
@@ -75,7 +46,7 @@ struct Return {
   double merit() const { return r[0] * r[0] + r[1] * r[1] + r[2] * r[2]; }
 };
 
-template <PlasticModel M>
+template <InvariantModel M>
 Return evaluate_return(const M& model, TrialInvariants trial, double phi_n, double stress_unit,
                        const std::array<double, 3>& x) {
   const auto [s, dv, dw] = x;
@@ -143,7 +114,7 @@ inline double volumetric_strain(double p, double K) {
 }
 
 /// Plastic increments of the closest-point return at frozen phi, by bisection in s.
-template <PlasticModel M>
+template <InvariantModel M>
 [[gnu::noinline]] std::array<double, 3> frozen_return(const M& model, TrialInvariants trial, double phi,
                                                       int bisections) {
   const auto [m, surface] = properties(model, phi);
@@ -162,7 +133,7 @@ template <PlasticModel M>
 }
 
 /// Start values for Newton from a bracket in phi; false where there is none.
-template <PlasticModel M>
+template <InvariantModel M>
 [[gnu::noinline]] bool bracketed_start(const M& model, TrialInvariants trial, double phi_n,
                                        std::array<double, 3>& x) {
   constexpr PhiRate rate = M::phi_rate;
@@ -207,7 +178,7 @@ inline double densification_margin(const Return& e, double det, TrialInvariants 
 }
 
 /// The same at the beginning of plastic flow, on the surface at phi_n near the place s.
-template <PlasticModel M>
+template <InvariantModel M>
 [[gnu::noinline]] double densification_margin(const M& model, double phi_n, double s, double stress_unit) {
   const auto [m, surface] = properties(model, phi_n);
   const double at = std::min(std::max(s, surface.s_min()), surface.s_max());
@@ -219,9 +190,9 @@ template <PlasticModel M>
 }
 
 /// Newton with line search from x, to a residual of `rounding`: whether it found a root that is admissible.
-template <PlasticModel M>
+template <InvariantModel M>
 bool solve_return(const M& model, TrialInvariants trial, double phi_n, double stress_unit, double rounding,
-                  std::array<double, 3> x, Return& e, int& iterations) {
+                  std::array<double, 3> x, Return& e) {
   const double tolerance = rounding * rounding, floor = 1e4 * tolerance;
   std::array<double, 3> dx{};
   double fraction = 0, before = std::numeric_limits<double>::infinity();
@@ -242,7 +213,7 @@ bool solve_return(const M& model, TrialInvariants trial, double phi_n, double st
       if (merit <= floor) break;
       return false;
     }
-    ++steps, ++iterations, cuts = 0;
+    ++steps, cuts = 0;
     x = at;
     before = merit;
     dx = Inverse3(e.J).solve({-e.r[0], -e.r[1], -e.r[2]});
@@ -281,7 +252,7 @@ inline InvariantResponse elastic_response(const Moduli& m, TrialInvariants trial
 /// Backward Euler update of one material point. Pure; status `refused` leaves the rest unspecified.
 /// Flattened: what the surfaces and moduli return stays in registers, and what is not needed of it is not
 /// computed.
-template <PlasticModel M>
+template <InvariantModel M>
 [[nodiscard, gnu::flatten]] InvariantResponse integrate(const M& model, TrialInvariants trial, double phi_n) {
   const auto [m_n, surface_n] = properties(model, phi_n);
   InvariantResponse u = elastic_response(m_n, trial, phi_n);
@@ -316,8 +287,8 @@ template <PlasticModel M>
   detail::Return e;
   u.status = Status::plastic;
   std::array<double, 3> start = guess;
-  for (int attempt = 0;
-       !detail::solve_return(model, trial, phi_n, stress_unit, rounding, start, e, u.iterations); ++attempt) {
+  for (int attempt = 0; !detail::solve_return(model, trial, phi_n, stress_unit, rounding, start, e);
+       ++attempt) {
     if (attempt == 0) start = detail::frozen_return(model, trial, phi_n, 30);
     else if (attempt == 2) return u.status = Status::refused, u;
     else {

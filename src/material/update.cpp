@@ -9,8 +9,8 @@ namespace {
 
 template <class M>
 auto respond(const M& model, const std::array<double, 3>& eps_trial, TrialInvariants trial, double phi_n) {
-  if constexpr (PlasticModel<M>) return integrate(model, trial, phi_n);
-  else if constexpr (requires { model.respond(eps_trial); }) return model.respond(eps_trial);
+  if constexpr (InvariantModel<M>) return integrate(model, trial, phi_n);
+  else if constexpr (PrincipalModel<M>) return model.respond(eps_trial);
   else return elastic_response(model.moduli(phi_n), trial, phi_n);
 }
 
@@ -114,7 +114,7 @@ PointUpdate update_with_old_moduli(const Model& model, const std::array<double, 
   const TrialInvariants trial = invariants(eps_trial);
   std::visit(
       [&]<class M>(const M& m) {
-        if constexpr (PlasticModel<M>) {
+        if constexpr (InvariantModel<M>) {
           const Moduli now = m.moduli(phi_n);
           const WithOldModuli<M> lagging{m, {now.K, now.G}};
           finish(eps_trial, trial, phi_n, respond(lagging, eps_trial, trial, phi_n), out);
@@ -130,13 +130,12 @@ double stored_energy(const Model& model, TrialInvariants elastic, double phi) {
 }
 
 double plastic_volume_ratio(const Model& model, double phi) {
-  const bool phi_is_volume = std::visit(
-      []<class M>(const M&) {
-        if constexpr (requires { M::phi_rate; }) return M::phi_rate.v == -1 && M::phi_rate.w == 0;
-        else return false;
+  return std::visit(
+      [phi]<class M>(const M&) {
+        if constexpr (requires { requires M::phi_rate.v == -1 && M::phi_rate.w == 0; }) return std::exp(-phi);
+        else return 1.0;
       },
       model);
-  return phi_is_volume ? std::exp(-phi) : 1;
 }
 
 double relative_density(const Model& model, double phi) {

@@ -3,6 +3,8 @@
 #include "material/hardening.hpp"
 #include "material/plasticity.hpp"
 
+#include <array>
+
 namespace platen::material {
 
 /// von Mises: q = sigma(phi) in Cauchy stress, associated flow. phi is the equivalent plastic strain (ES eq.
@@ -12,6 +14,9 @@ struct VonMises {
   double nu;                ///< Poisson's ratio, in [0, 0.5)
   double sigma_y;           ///< uniaxial yield stress at phi = 0 (Pa), > 0
   Hardening hardening = {}; ///< sigma(phi)
+
+  static constexpr std::string_view name = "von-mises";
+  static const CardSection<VonMises>& card();
 
   static constexpr PhiRate phi_rate{0, 1};
 
@@ -25,6 +30,7 @@ struct VonMises {
     bool contains(double, double q) const { return q <= sigma_y; }
     double first_guess(double p, double, const Moduli&) const { return -p; }
     Zone zone(double) const { return Zone::shear; }
+    std::array<double, 2> drawn(double p_low, double p_high) const { return {-p_high, -p_low}; }
   };
 
   Moduli moduli(double) const { return isotropic_moduli(E, nu); }

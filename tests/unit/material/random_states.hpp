@@ -68,7 +68,7 @@ template <class M> std::array<double, 2> states(const M&) { return {-0.5, 0.35};
 inline std::array<double, 2> states(const VonMises&) { return {0, 0.35}; }
 
 /// A stress inside the surface at a random state, plus an increment of random size up to `increment_max`.
-template <PlasticModel M> Trial random_trial(const M& m, std::mt19937& generator, double increment_max) {
+template <InvariantModel M> Trial random_trial(const M& m, std::mt19937& generator, double increment_max) {
   std::uniform_real_distribution<double> unit(0, 1), sign(-1, 1);
   const auto [first, last] = states(m);
   Trial trial{{}, first + (last - first) * unit(generator)};
