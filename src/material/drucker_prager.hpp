@@ -46,13 +46,14 @@ struct DruckerPrager {
     return 2 * cohesion * std::cos(phi_deg * degree) / (1 - std::sin(phi_deg * degree));
   }
 
-  /// s in Pa: on the line s = p_apex - p > 0; at the apex, s in [-d, 0], the normal alone turns.
+  /// s in Pa: on the line s = p_apex - p > 0, to a pressure p_end that stands for no end, see
+  /// elastic_pressure_max; at the apex, s in [-d, 0], the normal alone turns.
   struct Surface {
-    double d, tan_beta, tan_psi;
+    double d, tan_beta, tan_psi, p_end;
 
     double p_apex() const { return d / tan_beta; }
     double s_min() const { return -d; }
-    double s_max() const { return p_apex() + 1e6 * d; }
+    double s_max() const { return p_apex() + p_end; }
 
     SurfacePoint at(double s) const {
       if (s < 0) {
@@ -82,7 +83,7 @@ struct DruckerPrager {
   Moduli moduli(double) const { return isotropic_moduli(E, nu); }
   Surface surface(double) const {
     const double tan_beta = std::tan(beta_deg * degree);
-    return {sigma_c * (1 - tan_beta / 3), tan_beta, std::tan(psi_deg * degree)};
+    return {sigma_c * (1 - tan_beta / 3), tan_beta, std::tan(psi_deg * degree), elastic_pressure_max(E, nu)};
   }
 
   double reference_stress() const { return sigma_c; }

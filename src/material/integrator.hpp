@@ -224,11 +224,16 @@ bool solve_return(const M& model, TrialInvariants trial, double phi_n, double st
     if (x[0] + dx[0] > e.s_max) fraction = std::min(fraction, 1.1 * (e.s_max - x[0]) / dx[0]);
     if (!(fraction > 0)) return false;
   }
-  // A root is admissible if it lies on the curve proper and the plastic strain points outward; a trial that
-  // is outside by rounding alone does not flow.
-  const double end = 1e-9 * (e.s_max - e.s_min);
+  // A root is admissible if the plastic strain points outward, but for a trial that is outside by rounding
+  // alone, and if it lies on the curve proper. Behind an end it does where the end itself solves the
+  // equations as well as a root at the floor of rounding does.
   const double dv = trial.eps_v - e.eps_v, dw = trial.eps_q - e.eps_q;
-  return e.s > e.s_min - end && e.s < e.s_max + end && e.at.n_p * dv + e.at.n_q * dw > -rounding;
+  if (!(e.at.n_p * dv + e.at.n_q * dw > -rounding)) return false;
+  if (e.s >= e.s_min && e.s <= e.s_max) return true;
+  const SurfacePoint end = model.surface(e.phi).at(e.s < e.s_min ? e.s_min : e.s_max);
+  const double p_off = (e.at.p - end.p) / stress_unit, q_off = (e.at.q - end.q) / stress_unit,
+               n_off = end.n_q * dv - end.n_p * dw;
+  return p_off * p_off + q_off * q_off + n_off * n_off <= floor;
 }
 
 } // namespace detail

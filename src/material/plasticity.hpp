@@ -157,4 +157,8 @@ constexpr Moduli isotropic_moduli(double E, double nu) {
   return {E / (3 * (1 - 2 * nu)), E / (2 * (1 + nu))};
 }
 
+/// Where the stretch of a surface without ends is taken to end (Pa): 30 K, far beyond every pressure. So much
+/// would be an elastic volume strain of -2.5.
+constexpr double elastic_pressure_max(double E, double nu) { return 30 * isotropic_moduli(E, nu).K; }
+
 } // namespace platen::material

@@ -20,8 +20,7 @@ struct VonMises {
 
   static constexpr PhiRate phi_rate{0, 1};
 
-  /// s = -p: the surface is a line without ends. Its stretch ends far beyond every pressure, 30 K: so much
-  /// would be an elastic volume strain of -2.2.
+  /// s = -p: the surface is a line without ends; p_end stands for them, see elastic_pressure_max.
   struct Surface {
     double sigma_y, slope, p_end;
     SurfacePoint at(double s) const { return {-s, sigma_y, -1, 0, 0, slope, 0, 1, 0, 0, 0, 0}; }
@@ -36,7 +35,7 @@ struct VonMises {
   Moduli moduli(double) const { return isotropic_moduli(E, nu); }
   Surface surface(double phi) const {
     const YieldStress sigma = yield_stress(hardening, E, sigma_y, phi);
-    return {sigma.value, sigma.slope, 30 * moduli(phi).K};
+    return {sigma.value, sigma.slope, elastic_pressure_max(E, nu)};
   }
 
   Bounds bounds(double phi) const {
