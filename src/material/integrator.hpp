@@ -113,21 +113,26 @@ inline double volumetric_strain(double p, double K) {
   return x;
 }
 
-/// Plastic increments of the closest-point return at frozen phi, by bisection in s.
+/// The closest-point return at frozen phi by bisection in s, from s = 0, where pieces of a surface meet; no
+/// flow where the trial is not outside.
 template <InvariantModel M>
 [[gnu::noinline]] std::array<double, 3> frozen_return(const M& model, TrialInvariants trial, double phi,
                                                       int bisections) {
   const auto [m, surface] = properties(model, phi);
-  double lo = surface.s_min(), hi = surface.s_max();
+  const double exp_v = std::exp(-trial.eps_v);
+  if (surface.contains(m.K * trial.eps_v * exp_v, 3 * m.G * trial.eps_q * exp_v)) return {};
+  double lo = surface.s_min(), hi = surface.s_max(), s = 0;
   std::array<double, 3> x{};
-  for (int i = 0; i < bisections; ++i) {
-    const double s = (lo + hi) / 2;
+  for (int i = 0; i < bisections; ++i, s = (lo + hi) / 2) {
     const SurfacePoint f = surface.at(s);
     const double eps_v = volumetric_strain(f.p, m.K);
     const double dv = trial.eps_v - eps_v, dw = trial.eps_q - f.q / (3 * m.G) * std::exp(eps_v);
     x = {s, dv, dw};
-    // The remaining increment lies on the tensile side of the normal: move towards the tensile end.
-    (f.n_q * dv - f.n_p * dw > 0 ? hi : lo) = s;
+    // Where the remaining increment lies on the tensile side of the normal, move towards the tensile end. A
+    // trial with less q than here lies there if it is more tensile: normals that look away from the trial
+    // would lead to roots behind the surface.
+    const bool tensile = dw < 0 ? dv > 0 : f.n_q * dv - f.n_p * dw > 0;
+    (tensile ? hi : lo) = s;
   }
   return x;
 }
@@ -145,8 +150,9 @@ template <InvariantModel M>
   if (!std::isfinite(gap_a)) return false;
   const double direction = gap_a > 0 ? -1 : 1;
   double step = std::abs(gap_a) / 4 + 1e-14, b = a, gap_b = gap_a;
-  // The state nearest to the old one: the first change of sign met on the way.
-  for (int i = 0; i < 40 && gap_b * gap_a > 0; ++i, step *= 1.3) {
+  // The state nearest to the old one: the first change of sign met on the way. It may be far from a trial
+  // that is hardly outside, where dilation softens faster than the elastic stress falls.
+  for (; step < 1 && gap_b * gap_a > 0; step *= 1.3) {
     a = b;
     b += direction * step;
     gap_b = gap(b);

@@ -156,7 +156,7 @@ double MohrCoulomb::excess(const Vector& sigma) const {
 }
 
 PrincipalResponse MohrCoulomb::respond(const Vector& eps_trial) const {
-  constexpr double relative_stress_tolerance = 1e-12, relative_outside_tolerance = 1e-10;
+  constexpr double relative_strength_tolerance = 1e-12, relative_rounding = 1e-14; // of the trial stress
   const Moduli m = moduli(0);
   const Elastic3 elastic{m.K - 2 * m.G / 3, m.G};
   std::array<int, 3> order{0, 1, 2};
@@ -167,9 +167,11 @@ PrincipalResponse MohrCoulomb::respond(const Vector& eps_trial) const {
   Return r{trial, elastic.stress(trial), {}, {}};
   r.D = elastic.tangent(trial, r.sigma);
   const double stress = std::max({std::abs(r.sigma[0]), std::abs(r.sigma[2]), cutoff});
-  const auto inside = [&](const Vector& sigma, double tolerance) {
+  const double strength = std::max(all[shear_13].limit, cutoff);
+  const double tolerance = relative_strength_tolerance * strength + relative_rounding * stress;
+  const auto inside = [&](const Vector& sigma, double beyond) {
     return std::all_of(all.begin(), all.end(),
-                       [&](const Plane& f) { return dot(f.normal, sigma) - f.limit <= tolerance; });
+                       [&](const Plane& f) { return dot(f.normal, sigma) - f.limit <= beyond; });
   };
 
   PrincipalResponse out;
@@ -180,10 +182,9 @@ PrincipalResponse MohrCoulomb::respond(const Vector& eps_trial) const {
     for (const auto& place : places) {
       active = {};
       std::transform(place.begin(), place.end(), active.begin(), [&](int k) { return &all[k]; });
-      if (!solve(elastic, trial, active, relative_stress_tolerance * stress, r)) continue;
+      if (!solve(elastic, trial, active, tolerance, r)) continue;
       const double least = *std::min_element(r.multipliers.begin(), r.multipliers.end());
-      if (least < -relative_outside_tolerance * stress / m.G) continue;
-      if (!inside(r.sigma, relative_outside_tolerance * stress)) continue;
+      if (least < -100 * tolerance / m.G || !inside(r.sigma, 100 * tolerance)) continue;
       out.status = Status::plastic;
       break;
     }
