@@ -93,7 +93,7 @@ struct Dpc : Porous {
   bool cap_fits() const { return epsilon * Gamma < sigma_y; }
 
   Properties<Surface> properties(double phi) const {
-    const auto [m, f] = evolved(phi);
+    const auto [m, f] = evolved<Strengths>(phi);
     return {m,
             {{f.Lambda, 0, f.Lambda_phi},
              {f.Gamma, 0, f.Gamma_phi},

@@ -27,6 +27,7 @@ struct DruckerPrager {
   static const CardSection<DruckerPrager>& card();
 
   static constexpr PhiRate phi_rate{-1, 0};
+  static constexpr bool fixed_moduli = true, perfectly_plastic = true;
 
   /// beta of a friction angle phi measured in triaxial compression (degrees): tan(beta) = 6 sin(phi)/(3 -
   /// sin(phi)) (WG eq. 7).

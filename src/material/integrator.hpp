@@ -32,7 +32,12 @@ inline constexpr double relative_return_tolerance = 1e-12;
 
 namespace detail {
 
-/// Residual and Jacobian of the return at (s, dv, dw), stresses divided by 3G(phi_n).
+/// A trial with what every attempt needs of it.
+struct Trial : TrialInvariants {
+  double exp_v; ///< e^{-eps_v}
+};
+
+/// Residual and Jacobian of the return at (s, dv, dw), stresses times `unit` = 1/(3G(phi_n)).
 struct Return {
   std::array<double, 3> r;
   std::array<std::array<double, 3>, 3> J;
@@ -47,7 +52,7 @@ struct Return {
 };
 
 template <InvariantModel M>
-Return evaluate_return(const M& model, TrialInvariants trial, double phi_n, double stress_unit,
+Return evaluate_return(const M& model, const Trial& trial, double phi_n, double unit,
                        const std::array<double, 3>& x) {
   const auto [s, dv, dw] = x;
   constexpr PhiRate rate = M::phi_rate;
@@ -56,7 +61,7 @@ Return evaluate_return(const M& model, TrialInvariants trial, double phi_n, doub
   e.phi = phi_n + rate.v * dv + rate.w * dw;
   e.eps_v = trial.eps_v - dv;
   e.eps_q = trial.eps_q - dw;
-  e.exp_v = std::exp(-e.eps_v);
+  e.exp_v = dv == 0 ? trial.exp_v : std::exp(-e.eps_v);
   const auto [moduli, surface] = properties(model, e.phi);
   e.moduli = moduli;
   e.at = surface.at(s);
@@ -65,7 +70,6 @@ Return evaluate_return(const M& model, TrialInvariants trial, double phi_n, doub
   e.s_max = surface.s_max();
   const auto& [K, G, K_phi, G_phi] = e.moduli;
   const SurfacePoint& f = e.at;
-  const double unit = 1 / stress_unit;
   e.r = {(K * e.eps_v * e.exp_v - f.p) * unit, (3 * G * e.eps_q * e.exp_v - f.q) * unit,
          f.n_q * dv - f.n_p * dw};
   const double p_phi = K_phi * e.eps_v * e.exp_v - f.p_phi, q_phi = 3 * G_phi * e.eps_q * e.exp_v - f.q_phi;
@@ -80,7 +84,7 @@ Return evaluate_return(const M& model, TrialInvariants trial, double phi_n, doub
 /// Cofactors of a 3x3 matrix, and its determinant: solve(b) = A^-1 b.
 struct Inverse3 {
   std::array<std::array<double, 3>, 3> c;
-  double det;
+  double det, per_det;
   explicit Inverse3(const std::array<std::array<double, 3>, 3>& a) {
     c[0] = {a[1][1] * a[2][2] - a[1][2] * a[2][1], a[0][2] * a[2][1] - a[0][1] * a[2][2],
             a[0][1] * a[1][2] - a[0][2] * a[1][1]};
@@ -89,10 +93,10 @@ struct Inverse3 {
     c[2] = {a[1][0] * a[2][1] - a[1][1] * a[2][0], a[0][1] * a[2][0] - a[0][0] * a[2][1],
             a[0][0] * a[1][1] - a[0][1] * a[1][0]};
     det = a[0][0] * c[0][0] + a[0][1] * c[1][0] + a[0][2] * c[2][0];
+    per_det = 1 / det;
   }
   std::array<double, 3> solve(const std::array<double, 3>& b) const {
     std::array<double, 3> x;
-    const double per_det = 1 / det;
     for (int i = 0; i < 3; ++i) x[i] = (c[i][0] * b[0] + c[i][1] * b[1] + c[i][2] * b[2]) * per_det;
     return x;
   }
@@ -185,26 +189,26 @@ inline double densification_margin(const Return& e, double det, TrialInvariants 
 
 /// The same at the beginning of plastic flow, on the surface at phi_n near the place s.
 template <InvariantModel M>
-[[gnu::noinline]] double densification_margin(const M& model, double phi_n, double s, double stress_unit) {
+[[gnu::noinline]] double densification_margin(const M& model, double phi_n, double s, double unit) {
   const auto [m, surface] = properties(model, phi_n);
   const double at = std::min(std::max(s, surface.s_min()), surface.s_max());
   const SurfacePoint f = surface.at(at);
   const double eps_v = volumetric_strain(f.p, m.K);
-  const TrialInvariants yielding{eps_v, f.q / (3 * m.G) * std::exp(eps_v)};
-  const Return e = evaluate_return(model, yielding, phi_n, stress_unit, {at, 0, 0});
-  return densification_margin(e, Inverse3(e.J).det, yielding, 1 / stress_unit);
+  const Trial yielding{{eps_v, f.q / (3 * m.G) * std::exp(eps_v)}, std::exp(-eps_v)};
+  const Return e = evaluate_return(model, yielding, phi_n, unit, {at, 0, 0});
+  return densification_margin(e, Inverse3(e.J).det, yielding, unit);
 }
 
 /// Newton with line search from x, to a residual of `rounding`: whether it found a root that is admissible.
 template <InvariantModel M>
-bool solve_return(const M& model, TrialInvariants trial, double phi_n, double stress_unit, double rounding,
+bool solve_return(const M& model, const Trial& trial, double phi_n, double unit, double rounding,
                   std::array<double, 3> x, Return& e) {
   const double tolerance = rounding * rounding, floor = 1e4 * tolerance;
   std::array<double, 3> dx{};
   double fraction = 0, before = std::numeric_limits<double>::infinity();
   for (int steps = 0, cuts = 0;;) {
     const std::array at{x[0] + fraction * dx[0], x[1] + fraction * dx[1], x[2] + fraction * dx[2]};
-    e = evaluate_return(model, trial, phi_n, stress_unit, at);
+    e = evaluate_return(model, trial, phi_n, unit, at);
     const double merit = e.merit();
     if (!(merit < before * (1 - 1e-4 * fraction))) {
       if (++cuts < 8) {
@@ -237,16 +241,15 @@ bool solve_return(const M& model, TrialInvariants trial, double phi_n, double st
   if (!(e.at.n_p * dv + e.at.n_q * dw > -rounding)) return false;
   if (e.s >= e.s_min && e.s <= e.s_max) return true;
   const SurfacePoint end = model.surface(e.phi).at(e.s < e.s_min ? e.s_min : e.s_max);
-  const double p_off = (e.at.p - end.p) / stress_unit, q_off = (e.at.q - end.q) / stress_unit,
+  const double p_off = (e.at.p - end.p) * unit, q_off = (e.at.q - end.q) * unit,
                n_off = end.n_q * dv - end.n_p * dw;
   return p_off * p_off + q_off * q_off + n_off * n_off <= floor;
 }
 
 } // namespace detail
 
-/// Elastic response of a trial strain.
-inline InvariantResponse elastic_response(const Moduli& m, TrialInvariants trial, double phi) {
-  const double exp_v = std::exp(-trial.eps_v);
+/// Elastic response of a trial strain; exp_v = e^{-eps_v}.
+inline InvariantResponse elastic_response(const Moduli& m, TrialInvariants trial, double exp_v, double phi) {
   InvariantResponse u;
   u.eps_v = trial.eps_v;
   u.eps_q = trial.eps_q;
@@ -260,56 +263,57 @@ inline InvariantResponse elastic_response(const Moduli& m, TrialInvariants trial
   return u;
 }
 
-/// Backward Euler update of one material point. Pure; status `refused` leaves the rest unspecified.
+/// Backward Euler update of one material point: `u` is its elastic response, outside the surface at phi_n,
+/// and becomes its state, but for the status, which is returned; a refusal leaves the rest unspecified.
 /// Flattened: what the surfaces and moduli return stays in registers, and what is not needed of it is not
 /// computed.
-template <InvariantModel M>
-[[nodiscard, gnu::flatten]] InvariantResponse integrate(const M& model, TrialInvariants trial, double phi_n) {
-  const auto [m_n, surface_n] = properties(model, phi_n);
-  InvariantResponse u = elastic_response(m_n, trial, phi_n);
-  if (surface_n.contains(u.p, u.q)) return u;
-  u.status = Status::refused;
-  if (!std::isfinite(u.p) || !std::isfinite(u.q)) return u;
+template <InvariantModel M, class Surface>
+[[nodiscard, gnu::flatten, gnu::noinline]] Status integrate(const M& model, const Moduli& m_n,
+                                                            const Surface& surface_n, InvariantResponse& u) {
+  const double phi_n = u.phi;
+  const detail::Trial trial{{u.eps_v, u.eps_q}, u.exp_v};
+  if (!std::isfinite(u.p) || !std::isfinite(u.q)) return Status::refused;
 
   // The first guess: the model's, and one Newton step from it towards the closest point of the surface at
   // phi_n, along the elastic tangent at the trial.
+  const double per_p_v = 1 / u.p_v, per_q_q = 1 / u.q_q;
   double s_n = surface_n.first_guess(u.p, u.q, m_n);
   SurfacePoint f_n = surface_n.at(s_n);
-  double dv_n = (u.p - f_n.p) / u.p_v, dw_n = (u.q - f_n.q) / u.q_q;
+  double dv_n = (u.p - f_n.p) * per_p_v;
+  const double dw_n = (u.q - f_n.q) * per_q_q;
   const double gap = f_n.n_q * dv_n - f_n.n_p * dw_n;
   const double gap_s =
-      f_n.n_q_s * dv_n - f_n.n_p_s * dw_n - f_n.n_q * f_n.p_s / u.p_v + f_n.n_p * f_n.q_s / u.q_q;
+      f_n.n_q_s * dv_n - f_n.n_p_s * dw_n - f_n.n_q * f_n.p_s * per_p_v + f_n.n_p * f_n.q_s * per_q_q;
   const double closer = s_n - gap / gap_s;
-  if (closer > surface_n.s_min() && closer < surface_n.s_max()) {
+  if (closer > surface_n.s_min() && closer < surface_n.s_max() && closer != s_n) {
     s_n = closer;
     f_n = surface_n.at(s_n);
-    dv_n = (u.p - f_n.p) / u.p_v;
+    dv_n = (u.p - f_n.p) * per_p_v;
   }
-  const std::array guess{s_n, dv_n, trial.eps_q - (1 - dv_n) * f_n.q / u.q_q};
+  const std::array guess{s_n, dv_n, trial.eps_q - (1 - dv_n) * f_n.q * per_q_q};
 
-  const double stress_unit = 3 * m_n.G;
+  const double unit = 1 / (3 * m_n.G);
   const double rounding = relative_return_tolerance * (std::abs(trial.eps_v) + trial.eps_q);
   // Where the first densification outruns the surface there is no root nearby; one far away is no state that
   // this strain leads to.
   const auto outrun = [&] {
     return surface_n.zone(s_n) == Zone::compaction &&
-           detail::densification_margin(model, phi_n, s_n, stress_unit) <= 0;
+           detail::densification_margin(model, phi_n, s_n, unit) <= 0;
   };
   detail::Return e;
-  u.status = Status::plastic;
+  Status status = Status::plastic;
   std::array<double, 3> start = guess;
-  for (int attempt = 0; !detail::solve_return(model, trial, phi_n, stress_unit, rounding, start, e);
-       ++attempt) {
+  for (int attempt = 0; !detail::solve_return(model, trial, phi_n, unit, rounding, start, e); ++attempt) {
     if (attempt == 0) start = detail::frozen_return(model, trial, phi_n, 30);
-    else if (attempt == 2) return u.status = Status::refused, u;
+    else if (attempt == 2) return Status::refused;
     else {
-      u.status = Status::bracketed;
-      if (outrun()) return u.status = Status::unstable, u;
-      if (!detail::bracketed_start(model, trial, phi_n, start)) return u.status = Status::refused, u;
+      status = Status::bracketed;
+      if (outrun()) return Status::unstable;
+      if (!detail::bracketed_start(model, trial, phi_n, start)) return Status::refused;
     }
   }
   if (e.zone == Zone::compaction && std::abs(trial.eps_v - e.eps_v) > 2 * std::abs(guess[1]) && outrun())
-    return u.status = Status::unstable, u;
+    return Status::unstable;
 
   u.p = e.at.p;
   u.q = e.at.q;
@@ -320,10 +324,9 @@ template <InvariantModel M>
 
   // d(s, dv, dw) = -J^-1 dr, then the stress along the surface.
   const detail::Inverse3 inverse(e.J);
-  if (!(std::abs(inverse.det) > 0)) return u.status = Status::refused, u;
-  const double unit = 1 / stress_unit;
+  if (!(std::abs(inverse.det) > 0)) return Status::refused;
   if (e.zone == Zone::compaction && detail::densification_margin(e, inverse.det, trial, unit) <= 0)
-    return u.status = Status::unstable, u;
+    return Status::unstable;
   const auto by_v = inverse.solve({-e.moduli.K * (1 - e.eps_v) * e.exp_v * unit, u.q * unit, 0});
   const auto by_q = inverse.solve({0, -3 * e.moduli.G * e.exp_v * unit, 0});
   constexpr PhiRate rate = M::phi_rate;
@@ -335,7 +338,7 @@ template <InvariantModel M>
   u.p_q = along(by_q, e.at.p_s, e.at.p_phi);
   u.q_q = along(by_q, e.at.q_s, e.at.q_phi);
   u.zone = e.zone;
-  return u;
+  return status;
 }
 
 } // namespace platen::material

@@ -131,6 +131,8 @@ concept ConstitutiveModel = requires(const M& model, double phi) {
   { model.moduli(phi) } -> std::same_as<Moduli>;
 };
 
+/// One whose moduli do not depend on phi may say so by M::fixed_moduli = true, and if its surface does not
+/// either, by M::perfectly_plastic = true besides: they are computed once then.
 template <class M>
 concept InvariantModel = requires(const M& model, double phi) {
   { model.moduli(phi) } -> std::same_as<Moduli>;

@@ -44,18 +44,18 @@ struct Porous {
 
   double rho_r(double phi) const { return rho_r0 * std::exp(phi); }
 
-  /// Moduli and strengths share the density.
-  Properties<Strengths> evolved(double phi) const {
+  /// Moduli and strengths share the density. S: Strengths, or a surface made of them (a copy would cost).
+  template <class S> Properties<S> evolved(double phi) const {
     const Density d = density(phi);
-    return {moduli(d), strengths(d)};
+    return {moduli(d), strengths<S>(d)};
   }
   Moduli moduli(double phi) const { return moduli(density(phi)); }
-  Strengths strengths(double phi) const { return strengths(density(phi)); }
+  template <class S = Strengths> S strengths(double phi) const { return strengths<S>(density(phi)); }
 
   Bounds bounds(double phi) const {
     const Density d = density(phi);
     const double nu_ = nu + xi_1 * d.change, epsilon_ = epsilon + xi_2 * d.change;
-    return {d.rho > 1, nu_ > nu_max || nu_ < 0, epsilon_ < epsilon_min, strengths(d).pi_3 <= 0};
+    return {d.rho > 1, nu_ > nu_max || nu_ < 0, epsilon_ < epsilon_min, strengths<Strengths>(d).pi_3 <= 0};
   }
 
  private:
@@ -80,13 +80,13 @@ struct Porous {
     return m;
   }
 
-  Strengths strengths(const Density& d) const {
+  template <class S> S strengths(const Density& d) const {
     // Their exponents are often the same.
     const double by_eta = std::exp(eta * d.change),
                  by_zeta = zeta == eta ? by_eta : std::exp(zeta * d.change),
                  by_omega = omega == eta ? by_eta : std::exp(omega * d.change);
     const double sigma_y_ = sigma_y * by_eta, sigma_y_phi = eta * d.change_phi * sigma_y_;
-    Strengths f{};
+    S f{};
     f.Gamma = Gamma * by_zeta;
     f.Gamma_phi = zeta * d.change_phi * f.Gamma;
     f.Lambda = Lambda * by_omega;

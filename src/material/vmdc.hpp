@@ -81,11 +81,8 @@ struct Vmdc : Porous {
     }
   };
 
-  Properties<Surface> properties(double phi) const {
-    const auto [m, f] = evolved(phi);
-    return {m, {f}};
-  }
-  Surface surface(double phi) const { return {strengths(phi)}; }
+  Properties<Surface> properties(double phi) const { return evolved<Surface>(phi); }
+  Surface surface(double phi) const { return strengths<Surface>(phi); }
 };
 
 } // namespace platen::material

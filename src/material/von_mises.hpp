@@ -19,6 +19,7 @@ struct VonMises {
   static const CardSection<VonMises>& card();
 
   static constexpr PhiRate phi_rate{0, 1};
+  static constexpr bool fixed_moduli = true;
 
   /// s = -p: the surface is a line without ends; p_end stands for them, see elastic_pressure_max.
   struct Surface {

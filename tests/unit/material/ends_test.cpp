@@ -12,11 +12,11 @@ namespace {
 
 /// Whether Newton accepts the root of the trial of that deviator, which is negative for the mirror image.
 template <class M> bool accepted(const M& m, double eps_v, double eps_q, double phi, double s) {
-  const double unit = 3 * m.moduli(phi).G,
+  const double unit = 1 / (3 * m.moduli(phi).G),
                rounding = relative_return_tolerance * (std::abs(eps_v) + std::abs(eps_q));
   detail::Return e;
   const double dv = eps_v - detail::volumetric_strain(m.surface(phi).at(s).p, m.moduli(phi).K);
-  return detail::solve_return(m, {eps_v, eps_q}, phi, unit, rounding, {s, dv, eps_q}, e);
+  return detail::solve_return(m, {{eps_v, eps_q}, std::exp(-eps_v)}, phi, unit, rounding, {s, dv, eps_q}, e);
 }
 
 } // namespace
