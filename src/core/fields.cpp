@@ -130,7 +130,7 @@ std::vector<FieldValue> read_values(const Table& table, std::span<const FieldInf
     else if (field.required)
       throw InvalidInput(fmt::format("{}{} is missing: {}, {}", place(table, field.key),
                                      field.ratio_key.empty() ? "" : " (or " + field.ratio_key + ")",
-                                     field.meaning, wanted(field)));
+                                     field.meaning + field.rule, wanted(field)));
   }
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (!ratios[i]) continue;
@@ -187,7 +187,7 @@ std::string reference_table(std::span<const FieldInfo> fields, std::span<const F
       value +=
           line.empty() ? "; may be left out" : fmt::format("; default{}", line.substr(2, line.size() - 3));
     }
-    page += fmt::format("| {} | {} | {} |\n", key, field.meaning, value);
+    page += fmt::format("| {} | {}{} | {} |\n", key, field.meaning, field.rule, value);
   }
   return page;
 }

@@ -5,6 +5,7 @@
 #include "core/toml.hpp"
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,23 +39,29 @@ struct FieldInfo {
   std::string meaning;
   Interval allowed;
   bool required = true;
-  std::size_t kind = 0;   ///< index in FieldValue
-  std::string ratio_key;  ///< "E_bar": may be given instead, as a multiple of ...
-  std::string ratio_of;   ///< ... "sigma_y_Pa"
-  bool ascending = false; ///< a list that grows
+  std::size_t kind = 0;       ///< index in FieldValue
+  std::string ratio_key = {}; ///< "E_bar": may be given instead, as a multiple of ...
+  std::string ratio_of = {};  ///< ... "sigma_y_Pa"
+  bool ascending = false;     ///< a list that grows
+  std::string rule = {};      ///< ", at most phi": follows the meaning where a value is asked for
 };
 
 /// One field of T. `Field(key, &T::member, meaning, allowed)`, then refinements.
 template <class T> struct Field : FieldInfo {
-  using Member = std::variant<double T::*, int T::*, bool T::*, std::string T::*, std::vector<double> T::*>;
+  /// The last is a number that may be left out.
+  using Member = std::variant<double T::*, int T::*, bool T::*, std::string T::*, std::vector<double> T::*,
+                              std::optional<double> T::*>;
   Member member;
 
   Field(std::string key_, Member member_, std::string meaning_, Interval allowed_ = any_number)
-      : FieldInfo{std::move(key_), std::move(meaning_), allowed_, true, member_.index() + 1, {}, {}, false},
-        member(member_) {}
+      : FieldInfo{std::move(key_), std::move(meaning_), allowed_}, member(member_) {
+    required = !std::holds_alternative<std::optional<double> T::*>(member);
+    kind = required ? member.index() + 1 : 1;
+  }
 
   Field optional() && { return required = false, std::move(*this); }
   Field growing() && { return ascending = true, std::move(*this); }
+  Field ruled(std::string rule_) && { return rule = std::move(rule_), std::move(*this); }
   /// Given directly, or as `name` times the value of `of`; exactly one of the two.
   Field or_ratio(std::string name, std::string of) && {
     ratio_key = std::move(name);
@@ -88,19 +95,30 @@ template <class T> std::vector<FieldInfo> infos(std::span<const Field<T>> fields
 template <class T, class M> void assign(T& object, M T::*member, const FieldValue& value) {
   if (const auto* given = std::get_if<M>(&value)) object.*member = *given;
 }
+template <class T> void assign(T& object, std::optional<double> T::*member, const FieldValue& value) {
+  if (const auto* given = std::get_if<double>(&value)) object.*member = *given;
+}
+
+template <class T> [[gnu::noinline]] void assign(T& object, const Field<T>& field, const FieldValue& value) {
+  std::visit([&](auto member) { assign(object, member, value); }, field.member);
+}
 
 /// The section as a T; absent optional fields keep the value they have in `defaults`.
 template <class T>
 T read_fields(const Table& table, const std::vector<Field<T>>& fields, T defaults = {},
               std::span<const std::string> others = {}) {
   const auto values = read_values(table, infos<T>(fields), others);
-  for (std::size_t i = 0; i < fields.size(); ++i)
-    std::visit([&](auto member) { assign(defaults, member, values[i]); }, fields[i].member);
+  for (std::size_t i = 0; i < fields.size(); ++i) assign(defaults, fields[i], values[i]);
   return defaults;
 }
 
-template <class T> FieldValue value_of(const Field<T>& field, const T& object) {
-  return std::visit([&](auto member) { return FieldValue(object.*member); }, field.member);
+inline FieldValue value_of(const auto& value) { return value; }
+inline FieldValue value_of(const std::optional<double>& value) {
+  return value ? FieldValue(*value) : FieldValue();
+}
+// Not inlined: where GCC 12 sees the object, it warns of the members that are too large for it.
+template <class T> [[gnu::noinline]] FieldValue value_of(const Field<T>& field, const T& object) {
+  return std::visit([&](auto member) { return value_of(object.*member); }, field.member);
 }
 
 /// All fields of `object` as lines of a card, in SI units.

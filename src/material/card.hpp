@@ -2,6 +2,7 @@
 // Material cards (TOML) and what they hold. A card has no radius: it describes a material, not a particle.
 
 #include "core/toml.hpp"
+#include "material/card_section.hpp"
 #include "material/models.hpp"
 
 #include <filesystem>
@@ -27,12 +28,7 @@ Card read_card(const core::Table&);
 /// The material as the text of a card, every number in SI units.
 std::string card_text(const Material&);
 
-/// Every parameter of the model: key, value in SI units (a choice: 1 or 0), meaning.
-struct Parameter {
-  std::string key;
-  double value;
-  std::string meaning;
-};
+/// Every parameter of the model.
 std::vector<Parameter> parameters(const Model&);
 /// The same, and what the card says beside the model.
 std::vector<Parameter> parameters(const Material&);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "material/dual.hpp"
-#include "material/vmdc.hpp"
+#include "material/porous.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,25 +27,12 @@ namespace platen::material {
 ///                   is small.
 ///
 /// The paper gives no pi_8, the radius of the arc. Here pi_8 = A cos(beta), A = 0.02: the top is at most 2 %
-/// below Gamma at any beta, since B = 1/(1 + pi_8 - A). Properties evolve with density, and are bounded, as
-/// in Vmdc.
-struct Dpc {
-  double rho_r0;  ///< relative density of the undeformed material, in (0, 1]
-  double sigma_y; ///< hydrostatic yield stress in compression (Pa), > epsilon Gamma
-  double E;       ///< Young's modulus (Pa), > 0
-  double nu;      ///< Poisson's ratio, in [0, 0.5)
-  double Gamma;   ///< shear strength, largest q (Pa), > 0
-  double Lambda;  ///< tensile strength, largest p (Pa), > 0
-  double epsilon; ///< p-semi-axis of the cap over Gamma, > 0
-  double eta;     ///< exponent of sigma_y
-  double xi;      ///< exponent of E
-  double zeta;    ///< exponent of Gamma
-  double omega;   ///< exponent of Lambda
-  double xi_1;    ///< slope of nu over rho_r
-  double xi_2;    ///< slope of epsilon over rho_r
+/// below Gamma at any beta, since B = 1/(1 + pi_8 - A).
+struct Dpc : Porous {
   bool published_flow = false;
 
-  static constexpr PhiRate phi_rate{-1, 0};
+  static constexpr std::string_view name = "dpc";
+  static const CardSection<Dpc>& card();
   static constexpr double A = 0.02; ///< pi_8/cos(pi_6)
 
   /// s = -p on line and arc, from -Lambda to pi_3; on the cap s - pi_3 is b times its angle, to b pi/2.
@@ -101,20 +88,12 @@ struct Dpc {
     }
   };
 
-  /// The same numbers on the other surface.
-  Vmdc vmdc() const {
-    return {rho_r0, sigma_y, E, nu, Gamma, Lambda, epsilon, eta, xi, zeta, omega, xi_1, xi_2};
-  }
-  static Dpc through(const Vmdc& m, bool published_flow = false) {
-    return {m.rho_r0, m.sigma_y, m.E,    m.nu,    m.Gamma, m.Lambda, m.epsilon,
-            m.eta,    m.xi,      m.zeta, m.omega, m.xi_1,  m.xi_2,   published_flow};
-  }
+  /// The same numbers on this surface, whose cap must be shorter than sigma_y.
+  static Dpc through(const Porous& m, bool published_flow = false) { return {m, published_flow}; }
+  bool cap_fits() const { return epsilon * Gamma < sigma_y; }
 
-  double rho_r(double phi) const { return vmdc().rho_r(phi); }
-  Moduli moduli(double phi) const { return vmdc().moduli(phi); }
-  Bounds bounds(double phi) const { return vmdc().bounds(phi); }
   Properties<Surface> properties(double phi) const {
-    const auto [m, f] = vmdc().properties(phi);
+    const auto [m, f] = evolved<Strengths>(phi);
     return {m,
             {{f.Lambda, 0, f.Lambda_phi},
              {f.Gamma, 0, f.Gamma_phi},

@@ -3,6 +3,7 @@
 #include "material/plasticity.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -22,7 +23,11 @@ struct DruckerPrager {
   double sigma_c;  ///< uniaxial compressive strength (Pa), > 0
   double psi_deg;  ///< dilation angle in the (p, q) plane (degrees), in [0, beta]; beta: associated
 
+  static constexpr std::string_view name = "drucker-prager";
+  static const CardSection<DruckerPrager>& card();
+
   static constexpr PhiRate phi_rate{-1, 0};
+  static constexpr bool fixed_moduli = true, perfectly_plastic = true;
 
   /// beta of a friction angle phi measured in triaxial compression (degrees): tan(beta) = 6 sin(phi)/(3 -
   /// sin(phi)) (WG eq. 7).
@@ -30,18 +35,26 @@ struct DruckerPrager {
     const double sin_phi = std::sin(phi_deg * degree);
     return std::atan(6 * sin_phi / (3 - sin_phi)) / degree;
   }
+  /// phi of beta (degrees): the number of ten decimals that has this beta, where there is one.
+  double friction_deg() const {
+    const double tan_beta = std::tan(beta_deg * degree);
+    const double phi = std::asin(3 * tan_beta / (6 + tan_beta)) / degree,
+                 rounded = std::round(phi * 1e10) / 1e10;
+    return std::abs(beta_of_friction(rounded) - beta_deg) < 1e-14 * beta_deg ? rounded : phi;
+  }
   /// sigma_c = 2 C cos(phi)/(1 - sin(phi)) (WG eq. 15).
   static double strength_of_cohesion(double cohesion, double phi_deg) {
     return 2 * cohesion * std::cos(phi_deg * degree) / (1 - std::sin(phi_deg * degree));
   }
 
-  /// s in Pa: on the line s = p_apex - p > 0; at the apex, s in [-d, 0], the normal alone turns.
+  /// s in Pa: on the line s = p_apex - p > 0, to a pressure p_end that stands for no end, see
+  /// elastic_pressure_max; at the apex, s in [-d, 0], the normal alone turns.
   struct Surface {
-    double d, tan_beta, tan_psi;
+    double d, tan_beta, tan_psi, p_end;
 
     double p_apex() const { return d / tan_beta; }
     double s_min() const { return -d; }
-    double s_max() const { return p_apex() + 1e6 * d; }
+    double s_max() const { return p_apex() + p_end; }
 
     SurfacePoint at(double s) const {
       if (s < 0) {
@@ -62,6 +75,7 @@ struct DruckerPrager {
       return d * (std::atan2(q * K_over_3G, p - p_apex()) / angle_of_line() - 1);
     }
     Zone zone(double s) const { return s < 0 ? Zone::tension : Zone::shear; }
+    std::array<double, 2> drawn(double p_low, double) const { return {0, std::max(p_apex() - p_low, 0.0)}; }
 
    private:
     double angle_of_line() const { return std::atan2(1, tan_psi); } ///< of the flow, from the axis p
@@ -70,7 +84,7 @@ struct DruckerPrager {
   Moduli moduli(double) const { return isotropic_moduli(E, nu); }
   Surface surface(double) const {
     const double tan_beta = std::tan(beta_deg * degree);
-    return {sigma_c * (1 - tan_beta / 3), tan_beta, std::tan(psi_deg * degree)};
+    return {sigma_c * (1 - tan_beta / 3), tan_beta, std::tan(psi_deg * degree), elastic_pressure_max(E, nu)};
   }
 
   double reference_stress() const { return sigma_c; }

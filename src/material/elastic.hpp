@@ -9,6 +9,10 @@ struct Elastic {
   double E;  ///< Young's modulus (Pa), > 0
   double nu; ///< Poisson's ratio, in [0, 0.5)
 
+  static constexpr std::string_view name = "elastic";
+  static const CardSection<Elastic>& card();
+
+  double reference_stress() const { return E; }
   Moduli moduli(double) const { return isotropic_moduli(E, nu); }
 };
 

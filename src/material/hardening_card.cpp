@@ -1,7 +1,6 @@
 #include "material/hardening_card.hpp"
 
 #include "core/error.hpp"
-#include "core/fields.hpp"
 #include "core/nearest.hpp"
 #include "core/number.hpp"
 
@@ -9,73 +8,75 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <tuple>
 
 namespace platen::material {
 namespace {
 
 using core::any_number, core::Field, core::left_open, core::positive, core::right_open, core::Table;
 
-/// The section as it stands in a card, every kind's fields side by side.
-struct Given {
-  std::string kind = "none";
-  double eta = 0, kappa = 0, inverse_m = 0, K = 0, inverse_n = 0;
+/// A law as cards name it, and in words.
+template <class Law> struct Kind {
+  std::string name, words;
+  CardSection<Law> section;
+};
+
+/// Of a table.
+struct Points {
   std::vector<double> strain, stress;
 };
 
-struct Kind {
-  std::string name, law;
-  std::vector<Field<Given>> fields;
-};
-const std::vector<Kind> kinds = {
-    // in the order of Hardening
-    {"none", "perfectly plastic, as where `hardening` is left out", {}},
-    {"exponential",
-     "sigma = sigma_y exp(eta eps_p)",
-     {{"eta", &Given::eta, "exponent of sigma_y over the equivalent plastic strain", any_number}}},
-    {"hollomon",
-     "sigma = kappa eps^(1/m) over the total strain eps = eps_p + sigma/E, from its intersection with the "
-     "elastic line on; `sigma_y_Pa` and `E_bar` are left out",
-     {{"kappa_Pa", &Given::kappa, "strength coefficient, less than E", positive},
-      {"inverse_m", &Given::inverse_m, "hardening exponent 1/m", left_open(0, 1)}}},
-    {"ludwik",
-     "sigma = sigma_y + K eps_p^(1/n)",
-     {{"K_Pa", &Given::K, "strength coefficient, less than E", positive},
-      {"inverse_n", &Given::inverse_n, "hardening exponent 1/n", positive}}},
-    {"table",
-     "straight lines between points, 2 to 100; `sigma_y_Pa` and `E_bar` are left out",
-     {Field<Given>{"strain", &Given::strain, "equivalent plastic strain, the first 0",
-                   right_open(0, std::numeric_limits<double>::infinity())}
-          .growing(),
-      {"stress_Pa", &Given::stress, "yield stress there; the last holds beyond the last strain", positive}}},
-};
-const std::vector<Field<Given>> kind_field = {{"kind", &Given::kind, "the law"}};
-
-void check_table(const Table& section, const Given& table) {
+HardeningTable make_table(const Table& section, const Points& given) {
   const auto refuse = [&](const char* key, const std::string& rule) {
     throw core::InvalidInput(fmt::format("{}: {}", core::place(section, key), rule));
   };
-  const std::size_t points = table.strain.size();
-  if (points != table.stress.size())
-    refuse("stress_Pa", fmt::format("{} stresses for {} strains; each strain needs its stress",
-                                    table.stress.size(), points));
-  if (points < 2) refuse("strain", "a hardening table needs two points at least");
-  if (points > HardeningTable::size_max)
-    refuse("strain",
-           fmt::format("{} points; a hardening table has {} at most", points, HardeningTable::size_max));
-  if (table.strain.front() != 0) refuse("strain", "a hardening table begins at strain 0, where yield begins");
+  const auto& [strain, stress] = given;
+  if (strain.size() != stress.size())
+    refuse("stress_Pa", fmt::format("{} stresses for {} strains; each strain needs its stress", stress.size(),
+                                    strain.size()));
+  if (strain.size() < 2) refuse("strain", "a hardening table needs two points at least");
+  if (strain.size() > HardeningTable::size_max)
+    refuse("strain", fmt::format("{} points; a hardening table has {} at most", strain.size(),
+                                 HardeningTable::size_max));
+  if (strain.front() != 0) refuse("strain", "a hardening table begins at strain 0, where yield begins");
+  return {strain, stress};
 }
 
-Given given(const Hardening& hardening) {
-  Given g;
-  g.kind = kinds[hardening.index()].name;
-  if (const auto* h = std::get_if<ExponentialHardening>(&hardening)) g.eta = h->eta;
-  if (const auto* h = std::get_if<Hollomon>(&hardening)) g.kappa = h->kappa, g.inverse_m = h->inverse_m;
-  if (const auto* h = std::get_if<Ludwik>(&hardening)) g.K = h->K, g.inverse_n = h->inverse_n;
-  if (const auto* h = std::get_if<HardeningTable>(&hardening)) {
-    g.strain.assign(h->strain.begin(), h->strain.begin() + h->size);
-    g.stress.assign(h->stress.begin(), h->stress.begin() + h->size);
-  }
-  return g;
+Points points_of(const HardeningTable& h) {
+  return {{h.strain.begin(), h.strain.begin() + h.size}, {h.stress.begin(), h.stress.begin() + h.size}};
+}
+
+const std::tuple<Kind<PerfectlyPlastic>, Kind<ExponentialHardening>, Kind<Hollomon>, Kind<Ludwik>,
+                 Kind<HardeningTable>>
+    kinds = {
+        {"none", "perfectly plastic, as where `hardening` is left out", section_of<PerfectlyPlastic>({})},
+        {"exponential", "sigma = sigma_y exp(eta eps_p)",
+         section_of<ExponentialHardening>(
+             {{"eta", &ExponentialHardening::eta, "exponent of sigma_y over the equivalent plastic strain",
+               any_number}})},
+        {"hollomon",
+         "sigma = kappa eps^(1/m) over the total strain eps = eps_p + sigma/E, from its intersection with "
+         "the "
+         "elastic line on; `sigma_y_Pa` and `E_bar` are left out",
+         section_of<Hollomon>(
+             {{"kappa_Pa", &Hollomon::kappa, "strength coefficient, less than E", positive},
+              {"inverse_m", &Hollomon::inverse_m, "hardening exponent 1/m", left_open(0, 1)}})},
+        {"ludwik", "sigma = sigma_y + K eps_p^(1/n)",
+         section_of<Ludwik>({{"K_Pa", &Ludwik::K, "strength coefficient, less than E", positive},
+                             {"inverse_n", &Ludwik::inverse_n, "hardening exponent 1/n", positive}})},
+        {"table", "straight lines between points, 2 to 100; `sigma_y_Pa` and `E_bar` are left out",
+         section_of<HardeningTable, Points>(
+             {Field<Points>{"strain", &Points::strain, "equivalent plastic strain, the first 0",
+                            right_open(0, std::numeric_limits<double>::infinity())}
+                  .growing(),
+              {"stress_Pa", &Points::stress, "yield stress there; the last holds beyond the last strain",
+               positive}},
+             make_table, points_of)},
+};
+
+template <class Use> void for_each_kind(Use use) {
+  std::apply([&](const auto&... kind) { (use(kind), ...); }, kinds);
 }
 
 } // namespace
@@ -86,23 +87,20 @@ Hardening read_hardening(const Table& parameters) {
   const core::Value* named = section->find("kind");
   const auto* name = named ? std::get_if<std::string>(&named->data) : nullptr;
   std::vector<std::string> names;
-  for (const auto& kind : kinds) names.push_back(kind.name);
+  for_each_kind([&](const auto& kind) { names.push_back(kind.name); });
   if (!name)
     throw core::InvalidInput(fmt::format("{}: the text kind is missing; it is one of {}",
                                          core::place(*section, "kind"), fmt::join(names, ", ")));
-  const auto at = std::find(names.begin(), names.end(), *name) - names.begin();
-  if (at == std::ssize(names))
+  std::optional<Hardening> law;
+  const std::vector<std::string> others = {"kind"};
+  for_each_kind([&](const auto& kind) {
+    if (kind.name == *name) law = kind.section.read(*section, others);
+  });
+  if (!law)
     throw core::InvalidInput(fmt::format("{} = \"{}\": there is no such hardening{}",
                                          core::place(*section, "kind"), *name,
                                          core::suggestion(*name, names)));
-  const std::vector<std::string> others = {"kind"};
-  const Given g = core::read_fields<Given>(*section, kinds[static_cast<std::size_t>(at)].fields, {}, others);
-  if (*name == "exponential") return ExponentialHardening{g.eta};
-  if (*name == "hollomon") return Hollomon{g.kappa, g.inverse_m};
-  if (*name == "ludwik") return Ludwik{g.K, g.inverse_n};
-  if (*name == "none") return PerfectlyPlastic{};
-  check_table(*section, g);
-  return HardeningTable{g.strain, g.stress};
+  return *law;
 }
 
 void check_hardening(const Table& parameters, const Hardening& hardening, double E, double G,
@@ -127,36 +125,25 @@ void check_hardening(const Table& parameters, const Hardening& hardening, double
                        core::number_text(steepest), core::number_text(-3 * G)));
 }
 
-std::string hardening_line(const Hardening& hardening) {
-  if (std::holds_alternative<PerfectlyPlastic>(hardening)) return "";
-  const Given g = given(hardening);
-  std::string law = core::card_lines(kind_field, g) + core::card_lines(kinds[hardening.index()].fields, g);
-  law.pop_back(); // the end of the last line
-  for (auto end = law.find('\n'); end != std::string::npos; end = law.find('\n')) law.replace(end, 1, ", ");
-  return fmt::format("hardening = {{ {} }}\n", law);
-}
-
-std::vector<std::pair<std::string, std::pair<double, std::string>>> hardening_numbers(
-    const Hardening& hardening) {
-  std::vector<std::pair<std::string, std::pair<double, std::string>>> list;
-  const Given g = given(hardening);
-  for (const auto& field : kinds[hardening.index()].fields) {
-    const core::FieldValue value = core::value_of(field, g);
-    if (const auto* number = std::get_if<double>(&value))
-      list.push_back({"hardening." + field.key, {*number, field.meaning}});
-    else if (const auto* numbers = std::get_if<std::vector<double>>(&value))
-      for (std::size_t i = 0; i < numbers->size(); ++i)
-        list.push_back({fmt::format("hardening.{}[{}]", field.key, i), {(*numbers)[i], field.meaning}});
-  }
-  return list;
+std::vector<CardEntry> hardening_entries(const Hardening& hardening) {
+  if (std::holds_alternative<PerfectlyPlastic>(hardening)) return {};
+  return std::visit(
+      []<class Law>(const Law& law) {
+        const auto& kind = std::get<Kind<Law>>(kinds);
+        auto entries = kind.section.entries(law);
+        entries.insert(entries.begin(), {"kind", kind.name, {}});
+        for (auto& entry : entries) entry.key = "hardening." + entry.key;
+        return entries;
+      },
+      hardening);
 }
 
 std::string hardening_reference() {
-  std::string page = "\n### hardening = { kind = ..., ... }\n\n`eps_p` is the equivalent plastic strain.\n";
-  for (const auto& kind : kinds) {
-    page += fmt::format("\n`kind = \"{}\"`: {}\n", kind.name, kind.law);
-    if (!kind.fields.empty()) page += "\n" + core::reference_table(core::infos<Given>(kind.fields));
-  }
+  std::string page = "### hardening = { kind = ..., ... }\n\n`eps_p` is the equivalent plastic strain.\n";
+  for_each_kind([&](const auto& kind) {
+    page += fmt::format("\n`kind = \"{}\"`: {}\n", kind.name, kind.words);
+    if (!kind.section.fields.empty()) page += "\n" + core::reference_table(kind.section.fields);
+  });
   return page;
 }
 

@@ -1,12 +1,8 @@
 #pragma once
 // `hardening = { kind = ..., ... }` in the parameters of a von Mises card.
 
-#include "core/toml.hpp"
+#include "material/card_section.hpp"
 #include "material/hardening.hpp"
-
-#include <string>
-#include <utility>
-#include <vector>
 
 namespace platen::material {
 
@@ -18,11 +14,8 @@ Hardening read_hardening(const core::Table& parameters);
 /// elastic unloading could not follow it.
 void check_hardening(const core::Table& parameters, const Hardening&, double E, double G, double sigma_y);
 
-/// The entry as a line of a card; empty for PerfectlyPlastic.
-std::string hardening_line(const Hardening&);
-
-/// Name, value in SI units and meaning of the law's numbers.
-std::vector<std::pair<std::string, std::pair<double, std::string>>> hardening_numbers(const Hardening&);
+/// The section in a card; nothing for PerfectlyPlastic.
+std::vector<CardEntry> hardening_entries(const Hardening&);
 
 /// The part of the reference page.
 std::string hardening_reference();

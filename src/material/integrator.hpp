@@ -26,42 +26,18 @@
 
 namespace platen::material {
 
-/// Invariants of a trial elastic Hencky strain.
-struct TrialInvariants {
-  double eps_v; ///< trace
-  double eps_q; ///< sqrt(2/3 e:e), e the deviator
-};
-
-enum class Status : unsigned char {
-  elastic,
-  plastic,   ///< Newton converged
-  bracketed, ///< the bracketing fall-back was needed
-  refused,   ///< no admissible state was found: cut the step
-  unstable   ///< refused as well: densification raises the elastic stress faster than the surface gives way
-};
-
-/// Whether the update has no state to give.
-constexpr bool is_refused(Status status) { return status >= Status::refused; }
-
-/// The state after the increment, and the consistent tangent d(p, q)/d(eps_v^tr, eps_q^tr).
-struct InvariantResponse {
-  Status status = Status::elastic;
-  Zone zone = Zone::elastic;
-  double p = 0, q = 0;         ///< Cauchy (Pa)
-  double eps_v = 0, eps_q = 0; ///< elastic strain
-  double exp_v = 1;            ///< e^{-eps_v}
-  double phi = 0;
-  double p_v = 0, p_q = 0, q_v = 0, q_q = 0; ///< tangent (Pa)
-  int iterations = 0;
-};
-
 /// Relative residual of the local equations at which a return counts as converged. Newton is quadratic there,
 /// so that the state is exact to rounding.
 inline constexpr double relative_return_tolerance = 1e-12;
 
 namespace detail {
 
-/// Residual and Jacobian of the return at (s, dv, dw), stresses divided by 3G(phi_n).
+/// A trial with what every attempt needs of it.
+struct Trial : TrialInvariants {
+  double exp_v; ///< e^{-eps_v}
+};
+
+/// Residual and Jacobian of the return at (s, dv, dw), stresses times `unit` = 1/(3G(phi_n)).
 struct Return {
   std::array<double, 3> r;
   std::array<std::array<double, 3>, 3> J;
@@ -75,8 +51,8 @@ struct Return {
   double merit() const { return r[0] * r[0] + r[1] * r[1] + r[2] * r[2]; }
 };
 
-template <PlasticModel M>
-Return evaluate_return(const M& model, TrialInvariants trial, double phi_n, double stress_unit,
+template <InvariantModel M>
+Return evaluate_return(const M& model, const Trial& trial, double phi_n, double unit,
                        const std::array<double, 3>& x) {
   const auto [s, dv, dw] = x;
   constexpr PhiRate rate = M::phi_rate;
@@ -85,7 +61,7 @@ Return evaluate_return(const M& model, TrialInvariants trial, double phi_n, doub
   e.phi = phi_n + rate.v * dv + rate.w * dw;
   e.eps_v = trial.eps_v - dv;
   e.eps_q = trial.eps_q - dw;
-  e.exp_v = std::exp(-e.eps_v);
+  e.exp_v = dv == 0 ? trial.exp_v : std::exp(-e.eps_v);
   const auto [moduli, surface] = properties(model, e.phi);
   e.moduli = moduli;
   e.at = surface.at(s);
@@ -94,7 +70,6 @@ Return evaluate_return(const M& model, TrialInvariants trial, double phi_n, doub
   e.s_max = surface.s_max();
   const auto& [K, G, K_phi, G_phi] = e.moduli;
   const SurfacePoint& f = e.at;
-  const double unit = 1 / stress_unit;
   e.r = {(K * e.eps_v * e.exp_v - f.p) * unit, (3 * G * e.eps_q * e.exp_v - f.q) * unit,
          f.n_q * dv - f.n_p * dw};
   const double p_phi = K_phi * e.eps_v * e.exp_v - f.p_phi, q_phi = 3 * G_phi * e.eps_q * e.exp_v - f.q_phi;
@@ -109,7 +84,7 @@ Return evaluate_return(const M& model, TrialInvariants trial, double phi_n, doub
 /// Cofactors of a 3x3 matrix, and its determinant: solve(b) = A^-1 b.
 struct Inverse3 {
   std::array<std::array<double, 3>, 3> c;
-  double det;
+  double det, per_det;
   explicit Inverse3(const std::array<std::array<double, 3>, 3>& a) {
     c[0] = {a[1][1] * a[2][2] - a[1][2] * a[2][1], a[0][2] * a[2][1] - a[0][1] * a[2][2],
             a[0][1] * a[1][2] - a[0][2] * a[1][1]};
@@ -118,10 +93,10 @@ struct Inverse3 {
     c[2] = {a[1][0] * a[2][1] - a[1][1] * a[2][0], a[0][1] * a[2][0] - a[0][0] * a[2][1],
             a[0][0] * a[1][1] - a[0][1] * a[1][0]};
     det = a[0][0] * c[0][0] + a[0][1] * c[1][0] + a[0][2] * c[2][0];
+    per_det = 1 / det;
   }
   std::array<double, 3> solve(const std::array<double, 3>& b) const {
     std::array<double, 3> x;
-    const double per_det = 1 / det;
     for (int i = 0; i < 3; ++i) x[i] = (c[i][0] * b[0] + c[i][1] * b[1] + c[i][2] * b[2]) * per_det;
     return x;
   }
@@ -142,27 +117,32 @@ inline double volumetric_strain(double p, double K) {
   return x;
 }
 
-/// Plastic increments of the closest-point return at frozen phi, by bisection in s.
-template <PlasticModel M>
+/// The closest-point return at frozen phi by bisection in s, from s = 0, where pieces of a surface meet; no
+/// flow where the trial is not outside.
+template <InvariantModel M>
 [[gnu::noinline]] std::array<double, 3> frozen_return(const M& model, TrialInvariants trial, double phi,
                                                       int bisections) {
   const auto [m, surface] = properties(model, phi);
-  double lo = surface.s_min(), hi = surface.s_max();
+  const double exp_v = std::exp(-trial.eps_v);
+  if (surface.contains(m.K * trial.eps_v * exp_v, 3 * m.G * trial.eps_q * exp_v)) return {};
+  double lo = surface.s_min(), hi = surface.s_max(), s = 0;
   std::array<double, 3> x{};
-  for (int i = 0; i < bisections; ++i) {
-    const double s = (lo + hi) / 2;
+  for (int i = 0; i < bisections; ++i, s = (lo + hi) / 2) {
     const SurfacePoint f = surface.at(s);
     const double eps_v = volumetric_strain(f.p, m.K);
     const double dv = trial.eps_v - eps_v, dw = trial.eps_q - f.q / (3 * m.G) * std::exp(eps_v);
     x = {s, dv, dw};
-    // The remaining increment lies on the tensile side of the normal: move towards the tensile end.
-    (f.n_q * dv - f.n_p * dw > 0 ? hi : lo) = s;
+    // Where the remaining increment lies on the tensile side of the normal, move towards the tensile end. A
+    // trial with less q than here lies there if it is more tensile: normals that look away from the trial
+    // would lead to roots behind the surface.
+    const bool tensile = dw < 0 ? dv > 0 : f.n_q * dv - f.n_p * dw > 0;
+    (tensile ? hi : lo) = s;
   }
   return x;
 }
 
 /// Start values for Newton from a bracket in phi; false where there is none.
-template <PlasticModel M>
+template <InvariantModel M>
 [[gnu::noinline]] bool bracketed_start(const M& model, TrialInvariants trial, double phi_n,
                                        std::array<double, 3>& x) {
   constexpr PhiRate rate = M::phi_rate;
@@ -174,8 +154,9 @@ template <PlasticModel M>
   if (!std::isfinite(gap_a)) return false;
   const double direction = gap_a > 0 ? -1 : 1;
   double step = std::abs(gap_a) / 4 + 1e-14, b = a, gap_b = gap_a;
-  // The state nearest to the old one: the first change of sign met on the way.
-  for (int i = 0; i < 40 && gap_b * gap_a > 0; ++i, step *= 1.3) {
+  // The state nearest to the old one: the first change of sign met on the way. It may be far from a trial
+  // that is hardly outside, where dilation softens faster than the elastic stress falls.
+  for (; step < 1 && gap_b * gap_a > 0; step *= 1.3) {
     a = b;
     b += direction * step;
     gap_b = gap(b);
@@ -207,27 +188,27 @@ inline double densification_margin(const Return& e, double det, TrialInvariants 
 }
 
 /// The same at the beginning of plastic flow, on the surface at phi_n near the place s.
-template <PlasticModel M>
-[[gnu::noinline]] double densification_margin(const M& model, double phi_n, double s, double stress_unit) {
+template <InvariantModel M>
+[[gnu::noinline]] double densification_margin(const M& model, double phi_n, double s, double unit) {
   const auto [m, surface] = properties(model, phi_n);
   const double at = std::min(std::max(s, surface.s_min()), surface.s_max());
   const SurfacePoint f = surface.at(at);
   const double eps_v = volumetric_strain(f.p, m.K);
-  const TrialInvariants yielding{eps_v, f.q / (3 * m.G) * std::exp(eps_v)};
-  const Return e = evaluate_return(model, yielding, phi_n, stress_unit, {at, 0, 0});
-  return densification_margin(e, Inverse3(e.J).det, yielding, 1 / stress_unit);
+  const Trial yielding{{eps_v, f.q / (3 * m.G) * std::exp(eps_v)}, std::exp(-eps_v)};
+  const Return e = evaluate_return(model, yielding, phi_n, unit, {at, 0, 0});
+  return densification_margin(e, Inverse3(e.J).det, yielding, unit);
 }
 
 /// Newton with line search from x, to a residual of `rounding`: whether it found a root that is admissible.
-template <PlasticModel M>
-bool solve_return(const M& model, TrialInvariants trial, double phi_n, double stress_unit, double rounding,
-                  std::array<double, 3> x, Return& e, int& iterations) {
+template <InvariantModel M>
+bool solve_return(const M& model, const Trial& trial, double phi_n, double unit, double rounding,
+                  std::array<double, 3> x, Return& e) {
   const double tolerance = rounding * rounding, floor = 1e4 * tolerance;
   std::array<double, 3> dx{};
   double fraction = 0, before = std::numeric_limits<double>::infinity();
   for (int steps = 0, cuts = 0;;) {
     const std::array at{x[0] + fraction * dx[0], x[1] + fraction * dx[1], x[2] + fraction * dx[2]};
-    e = evaluate_return(model, trial, phi_n, stress_unit, at);
+    e = evaluate_return(model, trial, phi_n, unit, at);
     const double merit = e.merit();
     if (!(merit < before * (1 - 1e-4 * fraction))) {
       if (++cuts < 8) {
@@ -242,7 +223,7 @@ bool solve_return(const M& model, TrialInvariants trial, double phi_n, double st
       if (merit <= floor) break;
       return false;
     }
-    ++steps, ++iterations, cuts = 0;
+    ++steps, cuts = 0;
     x = at;
     before = merit;
     dx = Inverse3(e.J).solve({-e.r[0], -e.r[1], -e.r[2]});
@@ -253,18 +234,22 @@ bool solve_return(const M& model, TrialInvariants trial, double phi_n, double st
     if (x[0] + dx[0] > e.s_max) fraction = std::min(fraction, 1.1 * (e.s_max - x[0]) / dx[0]);
     if (!(fraction > 0)) return false;
   }
-  // A root is admissible if it lies on the curve proper and the plastic strain points outward; a trial that
-  // is outside by rounding alone does not flow.
-  const double end = 1e-9 * (e.s_max - e.s_min);
+  // A root is admissible if the plastic strain points outward, but for a trial that is outside by rounding
+  // alone, and if it lies on the curve proper. Behind an end it does where the end itself solves the
+  // equations as well as a root at the floor of rounding does.
   const double dv = trial.eps_v - e.eps_v, dw = trial.eps_q - e.eps_q;
-  return e.s > e.s_min - end && e.s < e.s_max + end && e.at.n_p * dv + e.at.n_q * dw > -rounding;
+  if (!(e.at.n_p * dv + e.at.n_q * dw > -rounding)) return false;
+  if (e.s >= e.s_min && e.s <= e.s_max) return true;
+  const SurfacePoint end = model.surface(e.phi).at(e.s < e.s_min ? e.s_min : e.s_max);
+  const double p_off = (e.at.p - end.p) * unit, q_off = (e.at.q - end.q) * unit,
+               n_off = end.n_q * dv - end.n_p * dw;
+  return p_off * p_off + q_off * q_off + n_off * n_off <= floor;
 }
 
 } // namespace detail
 
-/// Elastic response of a trial strain.
-inline InvariantResponse elastic_response(const Moduli& m, TrialInvariants trial, double phi) {
-  const double exp_v = std::exp(-trial.eps_v);
+/// Elastic response of a trial strain; exp_v = e^{-eps_v}.
+inline InvariantResponse elastic_response(const Moduli& m, TrialInvariants trial, double exp_v, double phi) {
   InvariantResponse u;
   u.eps_v = trial.eps_v;
   u.eps_q = trial.eps_q;
@@ -278,56 +263,57 @@ inline InvariantResponse elastic_response(const Moduli& m, TrialInvariants trial
   return u;
 }
 
-/// Backward Euler update of one material point. Pure; status `refused` leaves the rest unspecified.
+/// Backward Euler update of one material point: `u` is its elastic response, outside the surface at phi_n,
+/// and becomes its state, but for the status, which is returned; a refusal leaves the rest unspecified.
 /// Flattened: what the surfaces and moduli return stays in registers, and what is not needed of it is not
 /// computed.
-template <PlasticModel M>
-[[nodiscard, gnu::flatten]] InvariantResponse integrate(const M& model, TrialInvariants trial, double phi_n) {
-  const auto [m_n, surface_n] = properties(model, phi_n);
-  InvariantResponse u = elastic_response(m_n, trial, phi_n);
-  if (surface_n.contains(u.p, u.q)) return u;
-  u.status = Status::refused;
-  if (!std::isfinite(u.p) || !std::isfinite(u.q)) return u;
+template <InvariantModel M, class Surface>
+[[nodiscard, gnu::flatten, gnu::noinline]] Status integrate(const M& model, const Moduli& m_n,
+                                                            const Surface& surface_n, InvariantResponse& u) {
+  const double phi_n = u.phi;
+  const detail::Trial trial{{u.eps_v, u.eps_q}, u.exp_v};
+  if (!std::isfinite(u.p) || !std::isfinite(u.q)) return Status::refused;
 
   // The first guess: the model's, and one Newton step from it towards the closest point of the surface at
   // phi_n, along the elastic tangent at the trial.
+  const double per_p_v = 1 / u.p_v, per_q_q = 1 / u.q_q;
   double s_n = surface_n.first_guess(u.p, u.q, m_n);
   SurfacePoint f_n = surface_n.at(s_n);
-  double dv_n = (u.p - f_n.p) / u.p_v, dw_n = (u.q - f_n.q) / u.q_q;
+  double dv_n = (u.p - f_n.p) * per_p_v;
+  const double dw_n = (u.q - f_n.q) * per_q_q;
   const double gap = f_n.n_q * dv_n - f_n.n_p * dw_n;
   const double gap_s =
-      f_n.n_q_s * dv_n - f_n.n_p_s * dw_n - f_n.n_q * f_n.p_s / u.p_v + f_n.n_p * f_n.q_s / u.q_q;
+      f_n.n_q_s * dv_n - f_n.n_p_s * dw_n - f_n.n_q * f_n.p_s * per_p_v + f_n.n_p * f_n.q_s * per_q_q;
   const double closer = s_n - gap / gap_s;
-  if (closer > surface_n.s_min() && closer < surface_n.s_max()) {
+  if (closer > surface_n.s_min() && closer < surface_n.s_max() && closer != s_n) {
     s_n = closer;
     f_n = surface_n.at(s_n);
-    dv_n = (u.p - f_n.p) / u.p_v;
+    dv_n = (u.p - f_n.p) * per_p_v;
   }
-  const std::array guess{s_n, dv_n, trial.eps_q - (1 - dv_n) * f_n.q / u.q_q};
+  const std::array guess{s_n, dv_n, trial.eps_q - (1 - dv_n) * f_n.q * per_q_q};
 
-  const double stress_unit = 3 * m_n.G;
+  const double unit = 1 / (3 * m_n.G);
   const double rounding = relative_return_tolerance * (std::abs(trial.eps_v) + trial.eps_q);
   // Where the first densification outruns the surface there is no root nearby; one far away is no state that
   // this strain leads to.
   const auto outrun = [&] {
     return surface_n.zone(s_n) == Zone::compaction &&
-           detail::densification_margin(model, phi_n, s_n, stress_unit) <= 0;
+           detail::densification_margin(model, phi_n, s_n, unit) <= 0;
   };
   detail::Return e;
-  u.status = Status::plastic;
+  Status status = Status::plastic;
   std::array<double, 3> start = guess;
-  for (int attempt = 0;
-       !detail::solve_return(model, trial, phi_n, stress_unit, rounding, start, e, u.iterations); ++attempt) {
+  for (int attempt = 0; !detail::solve_return(model, trial, phi_n, unit, rounding, start, e); ++attempt) {
     if (attempt == 0) start = detail::frozen_return(model, trial, phi_n, 30);
-    else if (attempt == 2) return u.status = Status::refused, u;
+    else if (attempt == 2) return Status::refused;
     else {
-      u.status = Status::bracketed;
-      if (outrun()) return u.status = Status::unstable, u;
-      if (!detail::bracketed_start(model, trial, phi_n, start)) return u.status = Status::refused, u;
+      status = Status::bracketed;
+      if (outrun()) return Status::unstable;
+      if (!detail::bracketed_start(model, trial, phi_n, start)) return Status::refused;
     }
   }
   if (e.zone == Zone::compaction && std::abs(trial.eps_v - e.eps_v) > 2 * std::abs(guess[1]) && outrun())
-    return u.status = Status::unstable, u;
+    return Status::unstable;
 
   u.p = e.at.p;
   u.q = e.at.q;
@@ -338,10 +324,9 @@ template <PlasticModel M>
 
   // d(s, dv, dw) = -J^-1 dr, then the stress along the surface.
   const detail::Inverse3 inverse(e.J);
-  if (!(std::abs(inverse.det) > 0)) return u.status = Status::refused, u;
-  const double unit = 1 / stress_unit;
+  if (!(std::abs(inverse.det) > 0)) return Status::refused;
   if (e.zone == Zone::compaction && detail::densification_margin(e, inverse.det, trial, unit) <= 0)
-    return u.status = Status::unstable, u;
+    return Status::unstable;
   const auto by_v = inverse.solve({-e.moduli.K * (1 - e.eps_v) * e.exp_v * unit, u.q * unit, 0});
   const auto by_q = inverse.solve({0, -3 * e.moduli.G * e.exp_v * unit, 0});
   constexpr PhiRate rate = M::phi_rate;
@@ -353,7 +338,7 @@ template <PlasticModel M>
   u.p_q = along(by_q, e.at.p_s, e.at.p_phi);
   u.q_q = along(by_q, e.at.q_s, e.at.q_phi);
   u.zone = e.zone;
-  return u;
+  return status;
 }
 
 } // namespace platen::material

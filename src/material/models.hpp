@@ -1,6 +1,6 @@
 #pragma once
-// The constitutive models, and the one list that names them. To add a model: a header beside these, and one
-// line below.
+// The constitutive models, and the one list of them. To add a model: a file beside these that satisfies
+// ConstitutiveModel (plasticity.hpp), and one line below.
 
 #include "material/dpc.hpp"
 #include "material/drucker_prager.hpp"
@@ -9,18 +9,16 @@
 #include "material/vmdc.hpp"
 #include "material/von_mises.hpp"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 
 namespace platen::material {
 
-using Model = std::variant<Elastic, VonMises, Vmdc, DruckerPrager, Dpc, MohrCoulomb>;
-/// How cards name them, in the same order.
-inline constexpr std::array<std::string_view, std::variant_size_v<Model>> model_names = {
-    "elastic", "von-mises", "vmdc", "drucker-prager", "dpc", "mohr-coulomb"};
+/// In the order of the reference page.
+using Model = std::variant<Elastic, VonMises, Vmdc, Dpc, DruckerPrager, MohrCoulomb>;
 
 /// A named material, as a card describes it.
 struct Material {
@@ -39,7 +37,14 @@ double initial_nu(const Model&);
 /// strength of Drucker-Prager and Mohr-Coulomb, E of an elastic material (Pa).
 double reference_stress(const Model&);
 
-inline std::string_view model_name(const Model& model) { return model_names[model.index()]; }
+/// How cards name it.
+std::string_view model_name(const Model&);
+
+/// `use.operator()<M>()` for every model M of the list.
+template <class Use> void for_each_model(Use use) {
+  [&]<ConstitutiveModel... M>(std::type_identity<std::variant<M...>>) { (use.template operator()<M>(), ...); }
+  (std::type_identity<Model>{});
+}
 
 /// A vmdc or dpc material on another surface through the same (sigma_y, Gamma, Lambda, epsilon) (Edmans &
 /// Sinka, Table 3 with epsilon as in its DPC row): "vmdc", "dpc", or "von-mises", which takes Gamma for its

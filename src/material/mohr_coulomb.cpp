@@ -1,9 +1,17 @@
 #include "material/mohr_coulomb.hpp"
 
+#include "core/error.hpp"
+#include "core/number.hpp"
+#include "material/card_section.hpp"
+#include "material/integrator.hpp"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
+#include <optional>
 
 namespace platen::material {
 namespace {
@@ -115,7 +123,26 @@ bool solve(const Elastic3& elastic, const Vector& trial, const std::array<const 
   return false;
 }
 
+/// sigma_1 = p + high q, sigma_3 = p - low q.
+YieldCurve meridian(const MohrCoulomb& m, const char* name, double high, double low, double p_low) {
+  constexpr int points = 200;
+  const double sin_phi = std::sin(m.phi_deg * degree), cos_phi = std::cos(m.phi_deg * degree);
+  YieldCurve curve{name, {}};
+  for (int i = 0; i <= points; ++i) {
+    const double p = m.cutoff + (p_low - m.cutoff) * i / points;
+    const double shear =
+        (2 * m.cohesion * cos_phi - 2 * p * sin_phi) / (high * (1 + sin_phi) + low * (1 - sin_phi));
+    curve.p_q.push_back({p, std::min(shear, (m.cutoff - p) / high)});
+  }
+  return curve;
+}
+
 } // namespace
+
+std::vector<YieldCurve> MohrCoulomb::meridians(double p_low) const {
+  return {meridian(*this, "triaxial compression", 1.0 / 3, 2.0 / 3, p_low),
+          meridian(*this, "triaxial extension", 2.0 / 3, 1.0 / 3, p_low)};
+}
 
 double MohrCoulomb::reference_stress() const {
   return 2 * cohesion * std::cos(phi_deg * degree) / (1 - std::sin(phi_deg * degree));
@@ -129,7 +156,7 @@ double MohrCoulomb::excess(const Vector& sigma) const {
 }
 
 PrincipalResponse MohrCoulomb::respond(const Vector& eps_trial) const {
-  constexpr double relative_stress_tolerance = 1e-12, relative_outside_tolerance = 1e-10;
+  constexpr double relative_strength_tolerance = 1e-12, relative_rounding = 1e-14; // of the trial stress
   const Moduli m = moduli(0);
   const Elastic3 elastic{m.K - 2 * m.G / 3, m.G};
   std::array<int, 3> order{0, 1, 2};
@@ -140,9 +167,11 @@ PrincipalResponse MohrCoulomb::respond(const Vector& eps_trial) const {
   Return r{trial, elastic.stress(trial), {}, {}};
   r.D = elastic.tangent(trial, r.sigma);
   const double stress = std::max({std::abs(r.sigma[0]), std::abs(r.sigma[2]), cutoff});
-  const auto inside = [&](const Vector& sigma, double tolerance) {
+  const double strength = std::max(all[shear_13].limit, cutoff);
+  const double tolerance = relative_strength_tolerance * strength + relative_rounding * stress;
+  const auto inside = [&](const Vector& sigma, double beyond) {
     return std::all_of(all.begin(), all.end(),
-                       [&](const Plane& f) { return dot(f.normal, sigma) - f.limit <= tolerance; });
+                       [&](const Plane& f) { return dot(f.normal, sigma) - f.limit <= beyond; });
   };
 
   PrincipalResponse out;
@@ -153,10 +182,9 @@ PrincipalResponse MohrCoulomb::respond(const Vector& eps_trial) const {
     for (const auto& place : places) {
       active = {};
       std::transform(place.begin(), place.end(), active.begin(), [&](int k) { return &all[k]; });
-      if (!solve(elastic, trial, active, relative_stress_tolerance * stress, r)) continue;
+      if (!solve(elastic, trial, active, tolerance, r)) continue;
       const double least = *std::min_element(r.multipliers.begin(), r.multipliers.end());
-      if (least < -relative_outside_tolerance * stress / m.G) continue;
-      if (!inside(r.sigma, relative_outside_tolerance * stress)) continue;
+      if (least < -100 * tolerance / m.G || !inside(r.sigma, 100 * tolerance)) continue;
       out.status = Status::plastic;
       break;
     }
@@ -185,6 +213,61 @@ PrincipalResponse MohrCoulomb::respond(const Vector& eps_trial) const {
     for (int B = 0; B < 3; ++B) out.D[order[A]][order[B]] = tangent[A][B];
   }
   return out;
+}
+
+// The card.
+
+namespace {
+
+using core::Field, core::positive, core::right_open;
+
+/// The strength may be given in two ways, and is written by cohesion.
+struct Given {
+  double E = 0, nu = 0, phi = 0;
+  std::optional<double> cohesion, sigma_c, psi;
+  double cutoff = 0;
+};
+
+MohrCoulomb make(const core::Table& table, const Given& given) {
+  const auto& [E, nu, phi, cohesion, sigma_c, psi, cutoff] = given;
+  if (cohesion.has_value() == sigma_c.has_value())
+    throw core::InvalidInput(fmt::format("{}: the strength needs exactly one of cohesion_Pa and sigma_c_Pa",
+                                         core::place(table, "cohesion_Pa")));
+  const double sin_phi = std::sin(phi * degree), cos_phi = std::cos(phi * degree);
+  // C = sigma_c (1 - sin(phi))/(2 cos(phi)) (Wang et al., eq. 15).
+  const double C = cohesion ? *cohesion : *sigma_c * (1 - sin_phi) / (2 * cos_phi);
+  const MohrCoulomb m{E, nu, phi, C, psi.value_or(phi), cutoff};
+  if (m.psi_deg > m.phi_deg)
+    throw core::InvalidInput(fmt::format("{} = {} exceeds phi_deg = {}: plastic flow would give energy back",
+                                         core::place(table, "psi_deg"), core::number_text(m.psi_deg),
+                                         core::number_text(m.phi_deg)));
+  if (m.cutoff * sin_phi >= m.cohesion * cos_phi)
+    throw core::InvalidInput(
+        fmt::format("{} = {} is not below the apex cohesion/tan(phi) = {} Pa: the cut-off would cut nothing",
+                    core::place(table, "tension_cutoff_Pa"), core::number_text(m.cutoff),
+                    core::number_text(m.cohesion * cos_phi / sin_phi)));
+  return m;
+}
+
+Given given(const MohrCoulomb& m) { return {m.E, m.nu, m.phi_deg, m.cohesion, {}, m.psi_deg, m.cutoff}; }
+
+} // namespace
+
+const CardSection<MohrCoulomb>& MohrCoulomb::card() {
+  static const auto section = section_of<MohrCoulomb, Given>(
+      {
+          {"E_Pa", &Given::E, "Young's modulus", positive},
+          {"nu", &Given::nu, "Poisson's ratio", right_open(0, 0.5)},
+          {"phi_deg", &Given::phi, "friction angle", right_open(0, 90)},
+          {"cohesion_Pa", &Given::cohesion, "cohesion", positive},
+          {"sigma_c_Pa", &Given::sigma_c, "uniaxial compressive strength", positive},
+          Field<Given>{"psi_deg", &Given::psi, "dilation angle", right_open(0, 90)}.ruled(
+              ", at most phi; left out: phi, associated flow"),
+          Field<Given>{"tension_cutoff_Pa", &Given::cutoff, "largest principal stress", positive}.ruled(
+              ", below the apex cohesion/tan(phi)"),
+      },
+      make, given, "Exactly one of cohesion_Pa and sigma_c_Pa.\n");
+  return section;
 }
 
 } // namespace platen::material

@@ -1,19 +1,11 @@
 #pragma once
 
-#include "material/integrator.hpp"
+#include "material/plasticity.hpp"
 
 #include <array>
+#include <vector>
 
 namespace platen::material {
-
-/// State after the increment of a model that is returned in principal stresses.
-struct PrincipalResponse {
-  Status status = Status::elastic;
-  Zone zone = Zone::elastic;
-  std::array<double, 3> sigma{};            ///< principal Cauchy stresses (Pa), in the order of the trial
-  std::array<double, 3> eps{};              ///< elastic strains
-  std::array<std::array<double, 3>, 3> D{}; ///< d(sigma_A)/d(eps_B^tr) (Pa)
-};
 
 /// Mohr-Coulomb with a tension cut-off (Wang et al., section 3.4), tension positive, sigma_1 >= sigma_2 >=
 /// sigma_3:
@@ -30,6 +22,9 @@ struct MohrCoulomb {
   double psi_deg;  ///< dilation angle (degrees), in [0, phi]; phi: associated
   double cutoff;   ///< T_0 (Pa), > 0 and below the apex C/tan(phi)
 
+  static constexpr std::string_view name = "mohr-coulomb";
+  static const CardSection<MohrCoulomb>& card();
+
   static constexpr PhiRate phi_rate{-1, 0};
 
   Moduli moduli(double) const { return isotropic_moduli(E, nu); }
@@ -44,6 +39,10 @@ struct MohrCoulomb {
   /// Backward Euler, the corners included: the set of planes on which the stress ends is found by trying
   /// them.
   [[nodiscard]] PrincipalResponse respond(const std::array<double, 3>& eps_trial) const;
+
+  /// Meridians of triaxial compression and extension, where two stresses are equal and the third is the most
+  /// compressive or the most tensile: to be drawn from the cut-off to p_low.
+  std::vector<YieldCurve> meridians(double p_low) const;
 };
 
 } // namespace platen::material

@@ -1,20 +1,65 @@
 #pragma once
-// What a plastic model tells the integrator.
+// What a constitutive model is. Every model is an aggregate of parameters that satisfies ConstitutiveModel; a
+// plastic one is of one of two kinds besides:
 //
-// A yield surface is a curve in the (p, q) half-plane q >= 0 (Cauchy stress, tension positive), followed by a
-// parameter s from the tensile to the compressive end. A model gives the point and the flow direction at s;
-// corners, apices and flat parts are then parts of one curve, and a converged stress lies on the surface
-// exactly. The surface and the elastic moduli depend on one state variable phi.
+//   InvariantModel   knows p and q alone: it gives its yield surface, and the integrator returns to it
+//   PrincipalModel   knows the three principal stresses: it returns by itself
+//
+// A yield surface in p and q is a curve in the (p, q) half-plane q >= 0 (Cauchy stress, tension positive),
+// followed by a parameter s from the tensile to the compressive end. A model gives the point and the flow
+// direction at s; corners, apices and flat parts are then parts of one curve, and a converged stress lies on
+// the surface exactly. The surface and the elastic moduli depend on one state variable phi.
 //
 //   struct Surface { SurfacePoint at(double s) const; ... };    surface at one phi, with derivatives in phi
-//   model.moduli(phi), model.surface(phi), Model::phi_rate      see the concept below
+//   model.moduli(phi), model.surface(phi), Model::phi_rate      see the concepts below
 
+#include <array>
 #include <concepts>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace platen::material {
 
 /// How a material point flowed in its last increment.
 enum class Zone : unsigned char { elastic, shear, compaction, tension };
+
+enum class Status : unsigned char {
+  elastic,
+  plastic,   ///< Newton converged
+  bracketed, ///< the bracketing fall-back was needed
+  refused,   ///< no admissible state was found: cut the step
+  unstable   ///< refused as well: densification raises the elastic stress faster than the surface gives way
+};
+
+/// Whether the update has no state to give.
+constexpr bool is_refused(Status status) { return status >= Status::refused; }
+
+/// Invariants of a trial elastic Hencky strain.
+struct TrialInvariants {
+  double eps_v; ///< trace
+  double eps_q; ///< sqrt(2/3 e:e), e the deviator
+};
+
+/// The state after the increment, and the consistent tangent d(p, q)/d(eps_v^tr, eps_q^tr).
+struct InvariantResponse {
+  Status status = Status::elastic;
+  Zone zone = Zone::elastic;
+  double p = 0, q = 0;         ///< Cauchy (Pa)
+  double eps_v = 0, eps_q = 0; ///< elastic strain
+  double exp_v = 1;            ///< e^{-eps_v}
+  double phi = 0;
+  double p_v = 0, p_q = 0, q_v = 0, q_q = 0; ///< tangent (Pa)
+};
+
+/// The same of a model that is returned in principal stresses.
+struct PrincipalResponse {
+  Status status = Status::elastic;
+  Zone zone = Zone::elastic;
+  std::array<double, 3> sigma{};            ///< principal Cauchy stresses (Pa), in the order of the trial
+  std::array<double, 3> eps{};              ///< elastic strains
+  std::array<std::array<double, 3>, 3> D{}; ///< d(sigma_A)/d(eps_B^tr) (Pa)
+};
 
 /// Bulk and shear modulus (Pa) with their derivatives in phi.
 struct Moduli {
@@ -53,6 +98,7 @@ struct Bounds {
   bool table = false;   ///< hardening table left behind, its last stress held
 };
 
+/// One without ends has `drawn(p_low, p_high)` besides, the stretch of s to draw between two pressures.
 template <class S>
 concept YieldSurface = requires(const S& surface, double x) {
   { surface.at(x) } -> std::same_as<SurfacePoint>;
@@ -64,15 +110,46 @@ concept YieldSurface = requires(const S& surface, double x) {
   { surface.zone(x) } -> std::same_as<Zone>;
 };
 
+/// A yield surface in the (p, q) half-plane, to be drawn.
+struct YieldCurve {
+  std::string name;                       ///< of a meridian, empty where the surface is one of revolution
+  std::vector<std::array<double, 2>> p_q; ///< Pa, tension positive, from the tensile end
+};
+
+/// The card of a model, see card_section.hpp.
+template <class T> struct CardSection;
+
+/// Beside these a model may have `rho_r(phi)`, its relative density, and `bounds(phi)`, what is active of its
+/// Bounds.
 template <class M>
-concept PlasticModel = requires(const M& model, double phi) {
+concept ConstitutiveModel = requires(const M& model, double phi) {
+  { M::name } -> std::convertible_to<std::string_view>; // as cards name it
+  { M::card() } -> std::same_as<const CardSection<M>&>;
+  { model.E } -> std::convertible_to<double>; // of the undeformed material
+  { model.nu } -> std::convertible_to<double>;
+  { model.reference_stress() } -> std::convertible_to<double>;
+  { model.moduli(phi) } -> std::same_as<Moduli>;
+};
+
+/// One whose moduli do not depend on phi may say so by M::fixed_moduli = true, and if its surface does not
+/// either, by M::perfectly_plastic = true besides: they are computed once then.
+template <class M>
+concept InvariantModel = requires(const M& model, double phi) {
   { model.moduli(phi) } -> std::same_as<Moduli>;
   { model.surface(phi) } -> YieldSurface;
   { M::phi_rate } -> std::convertible_to<PhiRate>;
 };
 
+template <class M>
+concept PrincipalModel = requires(const M& model, const std::array<double, 3>& principal) {
+  { model.respond(principal) } -> std::same_as<PrincipalResponse>; // to a trial elastic strain
+  { model.excess(principal) } -> std::convertible_to<double>;      // of a stress: not positive inside
+  { model.meridians(principal[0]) } -> std::same_as<std::vector<YieldCurve>>; // down to a pressure
+  { M::phi_rate } -> std::convertible_to<PhiRate>;
+};
+
 /// Both at once: a model may offer them together, where that is cheaper.
-template <PlasticModel M> auto properties(const M& model, double phi) {
+template <InvariantModel M> auto properties(const M& model, double phi) {
   if constexpr (requires { model.properties(phi); }) return model.properties(phi);
   else return Properties<decltype(model.surface(phi))>{model.moduli(phi), model.surface(phi)};
 }
@@ -81,5 +158,9 @@ template <PlasticModel M> auto properties(const M& model, double phi) {
 constexpr Moduli isotropic_moduli(double E, double nu) {
   return {E / (3 * (1 - 2 * nu)), E / (2 * (1 + nu))};
 }
+
+/// Where the stretch of a surface without ends is taken to end (Pa): 30 K, far beyond every pressure. So much
+/// would be an elastic volume strain of -2.5.
+constexpr double elastic_pressure_max(double E, double nu) { return 30 * isotropic_moduli(E, nu).K; }
 
 } // namespace platen::material

@@ -7,13 +7,6 @@
 namespace platen::material {
 namespace {
 
-template <class M>
-auto respond(const M& model, const std::array<double, 3>& eps_trial, TrialInvariants trial, double phi_n) {
-  if constexpr (PlasticModel<M>) return integrate(model, trial, phi_n);
-  else if constexpr (requires { model.respond(eps_trial); }) return model.respond(eps_trial);
-  else return elastic_response(model.moduli(phi_n), trial, phi_n);
-}
-
 /// Principal stresses and their tangent from the invariant response: sigma_A = p + q m_A, m_A = 2 e_A/(3
 /// eps_q).
 void to_principal(const std::array<double, 3>& eps_trial, TrialInvariants trial, const InvariantResponse& u,
@@ -36,7 +29,7 @@ void to_principal(const std::array<double, 3>& eps_trial, TrialInvariants trial,
   }
 }
 
-void finish(const std::array<double, 3>& eps_trial, TrialInvariants trial, double, const InvariantResponse& u,
+void finish(const std::array<double, 3>& eps_trial, TrialInvariants trial, const InvariantResponse& u,
             PointUpdate& out) {
   to_principal(eps_trial, trial, u, out);
   out.p = u.p;
@@ -72,14 +65,69 @@ void finish(const std::array<double, 3>& eps_trial, TrialInvariants trial, doubl
   out.zone = u.zone;
 }
 
-/// A model whose moduli stay what they are during the step.
-template <class M> struct WithOldModuli {
+/// sigma_A = (lambda eps_v + 2G eps_A) e^{-eps_v}, and its derivatives.
+void finish_elastic(const std::array<double, 3>& eps, TrialInvariants trial, double exp_v, const Moduli& m,
+                    double phi, PointUpdate& out) {
+  const double two_G = 2 * m.G * exp_v, lambda = m.K * exp_v - two_G / 3;
+  for (int A = 0; A < 3; ++A) {
+    out.sigma[A] = lambda * trial.eps_v + two_G * eps[A];
+    for (int B = 0; B < 3; ++B) out.D[A][B] = lambda - out.sigma[A];
+    out.D[A][A] += two_G;
+  }
+  out.eps = eps;
+  out.p = m.K * trial.eps_v * exp_v;
+  out.q = 3 * m.G * trial.eps_q * exp_v;
+  out.phi = phi;
+  out.plastic_work = out.dv = out.dw = 0;
+  out.status = Status::elastic;
+  out.zone = Zone::elastic;
+}
+
+template <class M>
+void update_point(const M& model, const std::array<double, 3>& eps_trial, double phi_n, PointUpdate& out) {
+  const TrialInvariants trial = invariants(eps_trial);
+  if constexpr (PrincipalModel<M>) return finish(eps_trial, trial, phi_n, model.respond(eps_trial), out);
+  const double exp_v = std::exp(-trial.eps_v);
+  if constexpr (InvariantModel<M>) {
+    const auto [moduli, surface] = properties(model, phi_n);
+    const double p = moduli.K * trial.eps_v * exp_v, q = 3 * moduli.G * trial.eps_q * exp_v;
+    if (!surface.contains(p, q)) {
+      InvariantResponse u = elastic_response(moduli, trial, exp_v, phi_n);
+      u.status = integrate(model, moduli, surface, u);
+      return finish(eps_trial, trial, u, out);
+    }
+    finish_elastic(eps_trial, trial, exp_v, moduli, phi_n, out);
+  } else finish_elastic(eps_trial, trial, exp_v, model.moduli(phi_n), phi_n, out);
+}
+
+/// A model whose moduli, and where it does not harden its surface, are computed once.
+template <InvariantModel M> struct Prepared {
   const M& model;
-  Moduli old;
+  Moduli fixed_moduli;
+  decltype(model.surface(0)) fixed_surface = model.surface(0);
   static constexpr PhiRate phi_rate = M::phi_rate;
-  Moduli moduli(double) const { return old; }
-  auto surface(double phi) const { return model.surface(phi); }
+
+  Moduli moduli(double) const { return fixed_moduli; }
+  auto surface(double phi) const {
+    if constexpr (requires { requires M::perfectly_plastic; }) return fixed_surface;
+    else return model.surface(phi);
+  }
 };
+
+template <class M>
+UpdateCounts update_all(const M& model, std::span<const std::array<double, 3>> eps_trial,
+                        std::span<const double> phi_n, std::span<PointUpdate> out) {
+  UpdateCounts counts;
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    update_point(model, eps_trial[i], phi_n[i], out[i]);
+    const Status status = out[i].status;
+    counts.plastic += status == Status::plastic || status == Status::bracketed;
+    counts.bracketed += status == Status::bracketed;
+    counts.refused += is_refused(status);
+    counts.unstable += status == Status::unstable;
+  }
+  return counts;
+}
 
 } // namespace
 
@@ -92,33 +140,23 @@ TrialInvariants invariants(const std::array<double, 3>& eps) {
 UpdateCounts update(const Model& model, std::span<const std::array<double, 3>> eps_trial,
                     std::span<const double> phi_n, std::span<PointUpdate> out) {
   assert(eps_trial.size() == phi_n.size() && phi_n.size() == out.size());
-  UpdateCounts counts;
-  std::visit(
-      [&](const auto& m) {
-        for (std::size_t i = 0; i < out.size(); ++i) {
-          const TrialInvariants trial = invariants(eps_trial[i]);
-          finish(eps_trial[i], trial, phi_n[i], respond(m, eps_trial[i], trial, phi_n[i]), out[i]);
-          const Status status = out[i].status;
-          counts.plastic += status == Status::plastic || status == Status::bracketed;
-          counts.bracketed += status == Status::bracketed;
-          counts.refused += is_refused(status);
-          counts.unstable += status == Status::unstable;
-        }
+  return std::visit(
+      [&]<class M>(const M& m) {
+        if constexpr (requires { requires M::fixed_moduli; })
+          return update_all(Prepared<M>{m, m.moduli(0)}, eps_trial, phi_n, out);
+        else return update_all(m, eps_trial, phi_n, out);
       },
       model);
-  return counts;
 }
 
 PointUpdate update_with_old_moduli(const Model& model, const std::array<double, 3>& eps_trial, double phi_n) {
   PointUpdate out{};
-  const TrialInvariants trial = invariants(eps_trial);
   std::visit(
       [&]<class M>(const M& m) {
-        if constexpr (PlasticModel<M>) {
-          const Moduli now = m.moduli(phi_n);
-          const WithOldModuli<M> lagging{m, {now.K, now.G}};
-          finish(eps_trial, trial, phi_n, respond(lagging, eps_trial, trial, phi_n), out);
-        } else finish(eps_trial, trial, phi_n, respond(m, eps_trial, trial, phi_n), out);
+        if constexpr (InvariantModel<M>) {
+          const Moduli old = m.moduli(phi_n);
+          update_point(Prepared<M>{m, {old.K, old.G}}, eps_trial, phi_n, out);
+        } else update_point(m, eps_trial, phi_n, out);
       },
       model);
   return out;
@@ -130,13 +168,12 @@ double stored_energy(const Model& model, TrialInvariants elastic, double phi) {
 }
 
 double plastic_volume_ratio(const Model& model, double phi) {
-  const bool phi_is_volume = std::visit(
-      []<class M>(const M&) {
-        if constexpr (requires { M::phi_rate; }) return M::phi_rate.v == -1 && M::phi_rate.w == 0;
-        else return false;
+  return std::visit(
+      [phi]<class M>(const M&) {
+        if constexpr (requires { requires M::phi_rate.v == -1 && M::phi_rate.w == 0; }) return std::exp(-phi);
+        else return 1.0;
       },
       model);
-  return phi_is_volume ? std::exp(-phi) : 1;
 }
 
 double relative_density(const Model& model, double phi) {

@@ -1,49 +1,25 @@
 #pragma once
 
-#include "material/plasticity.hpp"
-
-#include <algorithm>
-#include <cmath>
+#include "material/porous.hpp"
 
 namespace platen::material {
 
-/// von Mises Double Cap (Edmans & Sinka, Table 2, eqs 3a-5b). phi = -eps_v^p, rho_r = rho_r0 e^phi.
+/// von Mises Double Cap (Edmans & Sinka, Table 2, eqs 3a-5b).
 ///
 ///   tension     (p/Lambda)^2 + (q/Gamma)^2 = 1                        p > 0
 ///   shear       q = Gamma                                             0 >= p >= -pi_3
 ///   compaction  ((p + pi_3)/(sigma_y - pi_3))^2 + (q/Gamma)^2 = 1     p < -pi_3,  pi_3 = sigma_y - epsilon
 ///   Gamma
 ///
-/// associated flow. sigma_y, E, Gamma, Lambda grow as exp(k (rho_r - rho_r0)), nu and epsilon linearly.
-/// Bounds, reported in `bounds`: beyond rho_r = 1 the properties are those at 1; nu in [0, nu_max]; epsilon
-/// at least epsilon_min; pi_3 at least 0 (the printed definition of epsilon in ES Table 3 is inverted; this
-/// is the reading in which it is p-semi-axis over q-semi-axis).
-struct Vmdc {
-  double rho_r0;  ///< relative density of the undeformed material, in (0, 1]
-  double sigma_y; ///< hydrostatic yield stress in compression (Pa), > 0
-  double E;       ///< Young's modulus (Pa), > 0
-  double nu;      ///< Poisson's ratio, in [0, 0.5)
-  double Gamma;   ///< shear strength, largest q (Pa), > 0
-  double Lambda;  ///< tensile strength, largest p (Pa), > 0
-  double epsilon; ///< p-semi-axis over q-semi-axis of the compaction cap, > 0
-  double eta;     ///< exponent of sigma_y
-  double xi;      ///< exponent of E
-  double zeta;    ///< exponent of Gamma
-  double omega;   ///< exponent of Lambda
-  double xi_1;    ///< slope of nu over rho_r
-  double xi_2;    ///< slope of epsilon over rho_r
-
-  static constexpr PhiRate phi_rate{-1, 0};
-  static constexpr double nu_max = 0.49;
-  static constexpr double epsilon_min = 0.05;
+/// associated flow.
+struct Vmdc : Porous {
+  static constexpr std::string_view name = "vmdc";
+  static const CardSection<Vmdc>& card();
 
   /// Along s the point moves in p at unit rate where the pieces meet, so that the curve is C1 in s:
   /// tension s in [-2 Lambda, 0], shear [0, pi_3], compaction [pi_3, pi_3 + 2b], b = sigma_y - pi_3. On a cap
   /// s is twice the semi-axis times the tangent of half the angle: no trigonometry.
-  struct Surface {
-    double Lambda, Gamma, pi_3, b;
-    double Lambda_phi, Gamma_phi, pi_3_phi, b_phi;
-
+  struct Surface : Strengths {
     double s_min() const { return -2 * Lambda; }
     double s_max() const { return pi_3 + 2 * b; }
 
@@ -105,64 +81,8 @@ struct Vmdc {
     }
   };
 
-  double rho_r(double phi) const { return rho_r0 * std::exp(phi); }
-
-  /// Moduli and surface share the density.
-  Properties<Surface> properties(double phi) const {
-    const Density d = density(phi);
-    return {moduli(d), surface(d)};
-  }
-  Moduli moduli(double phi) const { return moduli(density(phi)); }
-  Surface surface(double phi) const { return surface(density(phi)); }
-
-  Bounds bounds(double phi) const {
-    const Density d = density(phi);
-    const double nu_ = nu + xi_1 * d.change, epsilon_ = epsilon + xi_2 * d.change;
-    return {d.rho > 1, nu_ > nu_max || nu_ < 0, epsilon_ < epsilon_min, surface(phi).pi_3 <= 0};
-  }
-
- private:
-  struct Density {
-    double rho;        ///< rho_r, unbounded
-    double change;     ///< min(rho_r, 1) - rho_r0: the properties are functions of this
-    double change_phi; ///< its derivative
-  };
-  Density density(double phi) const {
-    const double rho = rho_r(phi);
-    return {rho, std::min(rho, 1.0) - rho_r0, rho < 1 ? rho : 0};
-  }
-
-  Moduli moduli(const Density& d) const {
-    const double E_ = E * std::exp(xi * d.change), E_phi = xi * d.change_phi; // relative to E_
-    double nu_ = nu + xi_1 * d.change, nu_phi = xi_1 * d.change_phi;
-    if (nu_ > nu_max) nu_ = nu_max, nu_phi = 0;
-    if (nu_ < 0) nu_ = 0, nu_phi = 0;
-    Moduli m = isotropic_moduli(E_, nu_);
-    m.K_phi = m.K * (E_phi + 2 * nu_phi / (1 - 2 * nu_));
-    m.G_phi = m.G * (E_phi - nu_phi / (1 + nu_));
-    return m;
-  }
-
-  Surface surface(const Density& d) const {
-    // Their exponents are often the same.
-    const double by_eta = std::exp(eta * d.change),
-                 by_zeta = zeta == eta ? by_eta : std::exp(zeta * d.change),
-                 by_omega = omega == eta ? by_eta : std::exp(omega * d.change);
-    const double sigma_y_ = sigma_y * by_eta, sigma_y_phi = eta * d.change_phi * sigma_y_;
-    Surface f{};
-    f.Gamma = Gamma * by_zeta;
-    f.Gamma_phi = zeta * d.change_phi * f.Gamma;
-    f.Lambda = Lambda * by_omega;
-    f.Lambda_phi = omega * d.change_phi * f.Lambda;
-    double epsilon_ = epsilon + xi_2 * d.change, epsilon_phi = xi_2 * d.change_phi;
-    if (epsilon_ < epsilon_min) epsilon_ = epsilon_min, epsilon_phi = 0;
-    f.b = epsilon_ * f.Gamma;
-    f.b_phi = epsilon_phi * f.Gamma + epsilon_ * f.Gamma_phi;
-    if (f.b > sigma_y_) f.b = sigma_y_, f.b_phi = sigma_y_phi;
-    f.pi_3 = sigma_y_ - f.b;
-    f.pi_3_phi = sigma_y_phi - f.b_phi;
-    return f;
-  }
+  Properties<Surface> properties(double phi) const { return evolved<Surface>(phi); }
+  Surface surface(double phi) const { return strengths<Surface>(phi); }
 };
 
 } // namespace platen::material

@@ -3,6 +3,8 @@
 #include "material/hardening.hpp"
 #include "material/plasticity.hpp"
 
+#include <array>
+
 namespace platen::material {
 
 /// von Mises: q = sigma(phi) in Cauchy stress, associated flow. phi is the equivalent plastic strain (ES eq.
@@ -13,10 +15,13 @@ struct VonMises {
   double sigma_y;           ///< uniaxial yield stress at phi = 0 (Pa), > 0
   Hardening hardening = {}; ///< sigma(phi)
 
-  static constexpr PhiRate phi_rate{0, 1};
+  static constexpr std::string_view name = "von-mises";
+  static const CardSection<VonMises>& card();
 
-  /// s = -p: the surface is a line without ends. Its stretch ends far beyond every pressure, 30 K: so much
-  /// would be an elastic volume strain of -2.2.
+  static constexpr PhiRate phi_rate{0, 1};
+  static constexpr bool fixed_moduli = true;
+
+  /// s = -p: the surface is a line without ends; p_end stands for them, see elastic_pressure_max.
   struct Surface {
     double sigma_y, slope, p_end;
     SurfacePoint at(double s) const { return {-s, sigma_y, -1, 0, 0, slope, 0, 1, 0, 0, 0, 0}; }
@@ -25,12 +30,13 @@ struct VonMises {
     bool contains(double, double q) const { return q <= sigma_y; }
     double first_guess(double p, double, const Moduli&) const { return -p; }
     Zone zone(double) const { return Zone::shear; }
+    std::array<double, 2> drawn(double p_low, double p_high) const { return {-p_high, -p_low}; }
   };
 
   Moduli moduli(double) const { return isotropic_moduli(E, nu); }
   Surface surface(double phi) const {
     const YieldStress sigma = yield_stress(hardening, E, sigma_y, phi);
-    return {sigma.value, sigma.slope, 30 * moduli(phi).K};
+    return {sigma.value, sigma.slope, elastic_pressure_max(E, nu)};
   }
 
   Bounds bounds(double phi) const {

@@ -3,16 +3,9 @@
 
 #include "material/models.hpp"
 
-#include <array>
-#include <string>
 #include <vector>
 
 namespace platen::material {
-
-struct YieldCurve {
-  std::string name;                       ///< of a meridian, empty where the surface is one of revolution
-  std::vector<std::array<double, 2>> p_q; ///< Pa, tension positive, from the tensile end
-};
 
 /// The yield surface at a state, cut off at the pressures p_low < p_high where it goes on without end. None
 /// for an elastic material, two meridians for Mohr-Coulomb.

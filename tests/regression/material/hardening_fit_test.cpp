@@ -2,7 +2,7 @@
 // inferred from the pair itself (lead, sections 2.1 and 3.1), so that this is a regression test, not a
 // verification.
 
-#include "material/hardening_fit.hpp"
+#include "hardening_fit.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,6 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <fmt/format.h>
+
+#include <set>
+
 using namespace platen;
 using material::Vmdc, material::VonMises, material::Elastic;
 
@@ -147,6 +151,19 @@ TEST(MaterialCard, KeepsADensityForExports) {
   EXPECT_EQ(read(material::card_text(heavy)).density, 7800);
   EXPECT_EQ(material::parameters(heavy).back().key, "density_kg_per_m3");
   EXPECT_NE(refusal(text + "density_kg_per_m3 = -1\n").find("must be a number > 0"), std::string::npos);
+}
+
+TEST(MaterialCard, KnowsEveryModelOfTheListByNameAndTellsWhatKindItIs) {
+  const std::string page = material::card_reference();
+  std::set<std::string_view> names;
+  material::for_each_model([&]<class M>() {
+    EXPECT_TRUE(names.insert(M::name).second) << M::name;
+    EXPECT_NE(page.find(fmt::format("\"{}\"", M::name)), std::string::npos) << M::name;
+    const auto text = fmt::format("platen = 1\nname = \"x\"\nmodel = \"{}\"\n[parameters]", M::name);
+    EXPECT_NE(refusal(text).find(" is missing"), std::string::npos) << M::name << " asks for nothing";
+    static_assert(!(material::InvariantModel<M> && material::PrincipalModel<M>));
+  });
+  EXPECT_EQ(names.size(), std::variant_size_v<material::Model>);
 }
 
 TEST(MaterialCard, HasAReferencePageWithEveryKey) {

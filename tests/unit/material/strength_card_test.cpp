@@ -116,6 +116,15 @@ TEST(DruckerPragerCard, IsGivenInThreeWays) {
   EXPECT_EQ(model("beta_deg = 47.84\nsigma_c_Pa = 10.61e6\npsi_deg = 0").psi_deg, 0);
 }
 
+TEST(DruckerPragerCard, KnowsTheAngleOfFrictionThatItWasGiven) {
+  for (const double phi : {25.0, 27.8, 30.0, 33.33, 0.1, 89.0}) {
+    const DruckerPrager m{10e9, 0.38, DruckerPrager::beta_of_friction(phi), 1e6, 0};
+    EXPECT_EQ(m.friction_deg(), phi);
+  }
+  const DruckerPrager by_beta{10e9, 0.38, 47.84, 1e6, 0}; // WG section 3.4: phi = 27.8 in three digits
+  EXPECT_NEAR(DruckerPrager::beta_of_friction(by_beta.friction_deg()), 47.84, 1e-12);
+}
+
 TEST(DruckerPragerCard, RefusesWhatIsNoFriction) {
   refuses("drucker-prager", rock + "beta_deg = 47\nphi_deg = 27\nsigma_c_Pa = 1e6", "exactly one of");
   refuses("drucker-prager", rock + "beta_deg = 47\ncohesion_Pa = 1e6", "exactly one of");

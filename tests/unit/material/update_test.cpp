@@ -13,28 +13,6 @@ using namespace platen::material::testing;
 
 namespace {
 
-/// (p, q) over the yield surface: 1 on it.
-double yield_ratio(const Vmdc::Surface& f, double p, double q) {
-  const double excess = p > 0 ? p / f.Lambda : p < -f.pi_3 ? (p + f.pi_3) / f.b : 0;
-  return std::hypot(excess, q / f.Gamma);
-}
-double yield_ratio(const VonMises::Surface& f, double, double q) { return q / f.sigma_y; }
-double yield_ratio(const DruckerPrager::Surface& f, double p, double q) { return (q + p * f.tan_beta) / f.d; }
-
-/// Edmans & Sinka's f of Table 2 as printed, with its pi_7 = b/Gamma, in units of Gamma: 0 on the surface.
-double table_2(const Dpc::Surface& f, double p, double q) {
-  const double pi_3 = f.pi_3.x, tan_6 = f.Gamma.x / (f.Lambda.x + pi_3), pi_5 = f.Lambda.x * tan_6;
-  const double pi_6 = std::atan(tan_6), pi_7 = f.b.x / f.Gamma.x, pi_8 = Dpc::A * std::cos(pi_6);
-  const double A = pi_8 / std::cos(pi_6), B = 1 / (1 + pi_8 - A), C = pi_5 + pi_3 * tan_6;
-  const double p_i = pi_3 - pi_8 * C * std::sin(pi_6);
-  double value = 0;
-  if (p > -p_i) value = q + p * tan_6 - pi_5;
-  else if (p >= -pi_3) value = std::hypot(p + pi_3, q - (1 - A) * C) - pi_8 * C;
-  else value = (std::hypot(p + pi_3, B * pi_7 * q) - pi_7 * C) / pi_7;
-  return value / C;
-}
-double yield_ratio(const Dpc::Surface& f, double p, double q) { return 1 + table_2(f, p, q); }
-
 /// `check(model)` for every plastic material of these tests.
 template <class Check> void for_all_materials(Check check) {
   for (const auto& m : corner_materials()) check(m);

@@ -1,13 +1,16 @@
-#include "material/hardening_fit.hpp"
+#pragma once
+// Ludwik and Hollomon hardening beside each other, by least squares over a range of strain (Shahin,
+// sections 2.1 and 3.1, after Harthong et al.).
+
+#include "material/hardening.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace platen::material {
-namespace {
 
-constexpr int samples = 3000;
+inline constexpr int samples = 3000;
 
 struct Sample {
   double strain, stress; ///< total or plastic strain, Pa
@@ -32,7 +35,7 @@ template <class Misfit> double best_exponent(Misfit misfit) {
 struct PowerFit {
   double kappa, left;
 };
-PowerFit fit_power(const std::vector<Sample>& points, double e) {
+inline PowerFit fit_power(const std::vector<Sample>& points, double e) {
   double ss = 0, sp = 0, pp = 0;
   for (const auto& [strain, stress] : points) {
     const double power = std::pow(strain, e);
@@ -45,7 +48,7 @@ PowerFit fit_power(const std::vector<Sample>& points, double e) {
 struct OffsetFit {
   double sigma_y, K, left;
 };
-OffsetFit fit_offset(const std::vector<Sample>& points, double e) {
+inline OffsetFit fit_offset(const std::vector<Sample>& points, double e) {
   double n = 0, s = 0, p = 0, ss = 0, sp = 0, pp = 0;
   for (const auto& [strain, stress] : points) {
     const double power = std::pow(strain, e);
@@ -56,9 +59,9 @@ OffsetFit fit_offset(const std::vector<Sample>& points, double e) {
   return {sigma_y, K, ss - sigma_y * s - K * sp};
 }
 
-} // namespace
-
-Hollomon fit_hollomon(const Ludwik& law, double sigma_y, double E, double strain_max) {
+/// The Hollomon law nearest to sigma = sigma_y + K eps_p^{1/n}, eps_p = eps - sigma/E, in the least squares
+/// of the stress over total strains evenly spread in (0, strain_max].
+inline Hollomon fit_hollomon(const Ludwik& law, double sigma_y, double E, double strain_max) {
   std::vector<Sample> points;
   for (int i = 1; i <= samples; ++i) {
     const double eps = strain_max * i / samples;
@@ -74,7 +77,14 @@ Hollomon fit_hollomon(const Ludwik& law, double sigma_y, double E, double strain
   return {fit_power(points, e).kappa, e};
 }
 
-LudwikFit fit_ludwik(const Hollomon& law, double E, double strain_max) {
+struct LudwikFit {
+  double sigma_y; ///< Pa
+  Ludwik law;
+};
+
+/// The Ludwik law nearest to sigma = kappa eps^{1/m}, eps_p = eps - sigma/E, over the same strains, from the
+/// intersection with the elastic line on. sigma_y >= 0.
+inline LudwikFit fit_ludwik(const Hollomon& law, double E, double strain_max) {
   const double eps_y = initial_yield_stress(law, E, 0) / E;
   std::vector<Sample> points;
   for (int i = 1; i <= samples; ++i) {
