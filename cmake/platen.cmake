@@ -12,6 +12,18 @@ if(PLATEN_SANITIZE)
   target_link_options(platen_flags INTERFACE -fsanitize=address,undefined)
 endif()
 
+# platen_precompile(TARGET): what nearly every file includes is compiled once, with platen_core. This saves time and nothing
+# else; every file still includes what it uses, and compiles with CMAKE_DISABLE_PRECOMPILE_HEADERS=ON.
+function(platen_precompile target)
+  if(target STREQUAL "platen_core")
+    target_precompile_headers(platen_core PRIVATE <fmt/format.h> <fmt/ranges.h> <algorithm> <array> <chrono> <cmath>
+                              <filesystem> <functional> <map> <memory> <numeric> <optional> <span> <string> <variant>
+                              <vector>)
+  else()
+    target_precompile_headers(${target} REUSE_FROM platen_core)
+  endif()
+endfunction()
+
 # platen_folder(NAME [folders and libraries it stands on...]): src/NAME/*.cpp as target platen::NAME.
 function(platen_folder name)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
@@ -19,6 +31,7 @@ function(platen_folder name)
   add_library(platen::${name} ALIAS platen_${name})
   target_include_directories(platen_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(platen_${name} PUBLIC ${ARGN} PRIVATE platen_flags)
+  platen_precompile(platen_${name})
 endfunction()
 
 add_custom_target(unit_tests) # builds all quick unit tests, for runs that need nothing else
