@@ -12,6 +12,18 @@ if(PLATEN_SANITIZE)
   target_link_options(platen_flags INTERFACE -fsanitize=address,undefined)
 endif()
 
+# platen_precompile(TARGET): what nearly every file includes is compiled once, with platen_core. This saves time and nothing
+# else; every file still includes what it uses, and compiles with CMAKE_DISABLE_PRECOMPILE_HEADERS=ON.
+function(platen_precompile target)
+  if(target STREQUAL "platen_core")
+    target_precompile_headers(platen_core PRIVATE <fmt/format.h> <fmt/ranges.h> <algorithm> <array> <chrono> <cmath>
+                              <filesystem> <functional> <map> <memory> <numeric> <optional> <span> <string> <variant>
+                              <vector>)
+  else()
+    target_precompile_headers(${target} REUSE_FROM platen_core)
+  endif()
+endfunction()
+
 # platen_folder(NAME [folders and libraries it stands on...]): src/NAME/*.cpp as target platen::NAME.
 function(platen_folder name)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
@@ -19,6 +31,7 @@ function(platen_folder name)
   add_library(platen::${name} ALIAS platen_${name})
   target_include_directories(platen_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(platen_${name} PUBLIC ${ARGN} PRIVATE platen_flags)
+  platen_precompile(platen_${name})
 endfunction()
 
 add_custom_target(unit_tests) # builds all quick unit tests, for runs that need nothing else
@@ -38,7 +51,11 @@ function(platen_tests tier folder)
       endif()
       add_executable(${program} ${${kind}})
       target_link_libraries(${program} PRIVATE ${ARGN} GTest::gtest_main platen_flags)
-      target_precompile_headers(${program} PRIVATE <gtest/gtest.h>)
+      if(program STREQUAL "unit_law") # the first; the others take what it compiled
+        target_precompile_headers(${program} PRIVATE <gtest/gtest.h>)
+      else()
+        target_precompile_headers(${program} REUSE_FROM unit_law)
+      endif()
       target_compile_definitions(${program} PRIVATE PLATEN_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
       if(tier STREQUAL "unit" AND kind STREQUAL "quick")
         add_dependencies(unit_tests ${program})

@@ -2,21 +2,19 @@
 // The subcommands. Each adds itself to the command line, and does its work in a callback that reports failure
 // by the exceptions of core/error.hpp; main alone knows exit codes.
 
-namespace CLI {
-class App;
-}
+#include "app/command_line.hpp"
 
 namespace platen::app {
 
-void add_materials(CLI::App&);
-void add_point(CLI::App&);
-void add_press(CLI::App&);
-void add_fit(CLI::App&);
-void add_derive(CLI::App&);
-void add_laws(CLI::App&);
-void add_eval(CLI::App&);
-void add_compare(CLI::App&);
-void add_export(CLI::App&);
-void add_study(CLI::App&);
+void add_materials(Command);
+void add_point(Command);
+void add_press(Command);
+void add_fit(Command);
+void add_derive(Command);
+void add_laws(Command);
+void add_eval(Command);
+void add_compare(Command);
+void add_export(Command);
+void add_study(Command);
 
 } // namespace platen::app

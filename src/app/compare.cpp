@@ -10,7 +10,6 @@
 #include "plot/gnuplot.hpp"
 #include "press/curve_csv.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -230,27 +229,27 @@ void compare(const Options& o) {
 
 } // namespace
 
-void add_compare(CLI::App& program) {
-  auto* command = program.add_subcommand("compare", "laws and curves in one picture and one table");
+void add_compare(Command program) {
+  auto command = program.add_subcommand("compare", "laws and curves in one picture and one table");
   auto o = std::make_shared<Options>();
   command
-      ->add_option(
+      .add_option(
           "ITEMS", o->items,
           "curves (.csv; the first is the reference) and laws: LAW, LAW/VARIANT, LAW,key=value,label=words")
-      ->required();
-  command->add_option("-o", o->picture, "picture, .svg or .png");
-  command->add_option("--table", o->output, "file for the table instead of printing it");
-  command->add_option("--material", o->material, "material card that gives the laws their parameters");
-  command->add_option("-p", o->parameters, "key=value for every law that has the parameter");
-  command->add_option("--ranges", o->ranges, "ends of ranges of delta/R, ranked one by one: 0.01,0.1");
-  command->add_option("--radius_m", o->radius_m, "radius of the particle of measured curves");
-  command->add_option("--title", o->title, "title of the picture");
-  command->add_flag("--json", o->json, "for a machine to read");
-  command->footer(
+      .required();
+  command.add_option("-o", o->picture, "picture, .svg or .png");
+  command.add_option("--table", o->output, "file for the table instead of printing it");
+  command.add_option("--material", o->material, "material card that gives the laws their parameters");
+  command.add_option("-p", o->parameters, "key=value for every law that has the parameter");
+  command.add_option("--ranges", o->ranges, "ends of ranges of delta/R, ranked one by one: 0.01,0.1");
+  command.add_option("--radius_m", o->radius_m, "radius of the particle of measured curves");
+  command.add_option("--title", o->title, "title of the picture");
+  command.add_flag("--json", o->json, "for a machine to read");
+  command.footer(
       "Laws press the curve's sphere on a rigid plane.\n"
       "Example: platen compare out/press/curve.csv agarwal jackson-green thornton-ning,p_y_Pa=2.8e8 "
       "--material von-mises-100 --ranges 0.01,0.1 -o compare.svg");
-  command->callback([o] { compare(*o); });
+  command.callback([o] { compare(*o); });
 }
 
 } // namespace platen::app

@@ -12,7 +12,6 @@
 #include "press/curve_csv.hpp"
 #include "press/tension.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -103,44 +102,44 @@ void derive(const Options& o) {
 
 } // namespace
 
-void add_derive(CLI::App& program) {
-  auto* command = program.add_subcommand("derive", "the main job: press a material, fit the law, draw both");
+void add_derive(Command program) {
+  auto command = program.add_subcommand("derive", "the main job: press a material, fit the law, draw both");
   auto o = std::make_shared<Options>();
-  command->add_option("MATERIAL", o->material, "material card, or a name in the catalogue")->required();
-  command->add_option("-o", o->folder, "folder for the results")->type_name("DIR")->capture_default_str();
-  command->add_option("--model", o->model, "run a vmdc or dpc card as vmdc, dpc, dpc-published or von-mises")
-      ->type_name("NAME");
+  command.add_option("MATERIAL", o->material, "material card, or a name in the catalogue").required();
+  command.add_option("-o", o->folder, "folder for the results").type_name("DIR").capture_default_str();
+  command.add_option("--model", o->model, "run a vmdc or dpc card as vmdc, dpc, dpc-published or von-mises")
+      .type_name("NAME");
   command
-      ->add_option(
+      .add_option(
           "--law", o->law,
           "law to fit: edmans-sinka, of large overlaps (simple press); wang, of small contacts in stiff "
           "grains (local press)")
-      ->type_name("NAME")
-      ->capture_default_str();
-  auto* variant =
-      command->add_option("--variant", o->variant, variant_help)->type_name("V")->capture_default_str();
+      .type_name("NAME")
+      .capture_default_str();
+  auto variant =
+      command.add_option("--variant", o->variant, variant_help).type_name("V").capture_default_str();
   command
-      ->add_option(
+      .add_option(
           "--unload_from", o->unload_from,
           "delta/R0 from which branches unload: 0.1,0.3; none; default: five up to the end (wang: four)")
-      ->type_name("LIST");
-  command->add_option("--radius_m", o->radius_m, "radius; the law does not depend on it")
-      ->type_name("NUMBER")
-      ->capture_default_str();
+      .type_name("LIST");
+  command.add_option("--radius_m", o->radius_m, "radius; the law does not depend on it")
+      .type_name("NUMBER")
+      .capture_default_str();
   command
-      ->add_option("--delta_bar_max", o->delta_bar_max,
-                   "how far to press, delta/R0 in (0, 0.5]; default 0.5, wang: five times first yield")
-      ->type_name("NUMBER");
-  command->add_option("--force_max_N", o->force_max_N, "wang: how far to press")->type_name("NUMBER");
-  auto* elements = command->add_option("--elements", o->experiment.elements, "wanted number of elements")
-                       ->type_name("NUMBER")
-                       ->capture_default_str();
-  command->add_flag("--json", o->json, "for a machine to read");
-  command->footer("Example: platen derive mcc-ph-200 -o out/mcc\n"
-                  "         platen derive wang-type-1 --law wang --radius_m 0.1 -o out/sand");
-  command->callback([o, variant, elements] {
-    for (const auto* option : {variant, elements})
-      if (option->count()) o->simple_only.push_back(option->get_name());
+      .add_option("--delta_bar_max", o->delta_bar_max,
+                  "how far to press, delta/R0 in (0, 0.5]; default 0.5, wang: five times first yield")
+      .type_name("NUMBER");
+  command.add_option("--force_max_N", o->force_max_N, "wang: how far to press").type_name("NUMBER");
+  auto elements = command.add_option("--elements", o->experiment.elements, "wanted number of elements")
+                      .type_name("NUMBER")
+                      .capture_default_str();
+  command.add_flag("--json", o->json, "for a machine to read");
+  command.footer("Example: platen derive mcc-ph-200 -o out/mcc\n"
+                 "         platen derive wang-type-1 --law wang --radius_m 0.1 -o out/sand");
+  command.callback([o, variant, elements] {
+    for (const auto& option : {variant, elements})
+      if (option.given()) o->simple_only.push_back(option.name());
     derive(*o);
   });
 }

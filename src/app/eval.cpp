@@ -6,7 +6,6 @@
 #include "core/number.hpp"
 #include "core/say.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -94,17 +93,17 @@ void eval(const Options& options) {
 
 } // namespace
 
-void add_eval(CLI::App& program) {
-  auto* command = program.add_subcommand("eval", "force, contact radius and stiffness of a law over overlap");
+void add_eval(Command program) {
+  auto command = program.add_subcommand("eval", "force, contact radius and stiffness of a law over overlap");
   auto options = std::make_shared<Options>();
-  add_law_arguments(*command, options->law);
-  command->add_option("--overlap", options->overlap, "FROM:TO:COUNT [m], both ends included");
-  command->add_option("--path", options->path, "CSV with the column overlap_m; the state is carried along");
-  command->add_option("-o", options->output, "file to write instead of printing");
-  command->add_flag("--json", options->json, "for a machine to read");
-  command->footer("Overlap is the approach of the two centres; with --against plane that of the centre.\n"
-                  "Example: platen eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-5:11");
-  command->callback([options] { eval(*options); });
+  add_law_arguments(command, options->law);
+  command.add_option("--overlap", options->overlap, "FROM:TO:COUNT [m], both ends included");
+  command.add_option("--path", options->path, "CSV with the column overlap_m; the state is carried along");
+  command.add_option("-o", options->output, "file to write instead of printing");
+  command.add_flag("--json", options->json, "for a machine to read");
+  command.footer("Overlap is the approach of the two centres; with --against plane that of the centre.\n"
+                 "Example: platen eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-5:11");
+  command.callback([options] { eval(*options); });
 }
 
 } // namespace platen::app

@@ -5,7 +5,6 @@
 #include "core/file.hpp"
 #include "core/number.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <iterator>
@@ -60,20 +59,19 @@ void export_table(const Options& options) {
 
 } // namespace
 
-void add_export(CLI::App& program) {
-  auto* command = program.add_subcommand("export", "a law for a DEM code");
-  command->require_subcommand(1);
-  auto* table =
-      command->add_subcommand("table", "force over overlap, and unloading, as numbers for any DEM code");
+void add_export(Command program) {
+  auto command = program.add_subcommand("export", "a law for a DEM code");
+  command.require_subcommand();
+  auto table =
+      command.add_subcommand("table", "force over overlap, and unloading, as numbers for any DEM code");
   auto options = std::make_shared<Options>();
-  add_law_arguments(*table, options->law);
-  table->add_option("--overlap", options->overlap, "FROM:TO:COUNT [m], above 0")->required();
-  table->add_option("-o", options->output, "file to write instead of printing");
-  table->footer("Example: platen export table mcc.toml -p radius_m=1e-3 --overlap 1e-6:5e-4:500 -o mcc.csv");
-  table->callback([options] { export_table(*options); });
-  add_export_lammps(*command);
-  command->footer(
-      "Example: platen export table mcc.toml -p radius_m=1e-3 --overlap 1e-6:5e-4:500 -o mcc.csv");
+  add_law_arguments(table, options->law);
+  table.add_option("--overlap", options->overlap, "FROM:TO:COUNT [m], above 0").required();
+  table.add_option("-o", options->output, "file to write instead of printing");
+  table.footer("Example: platen export table mcc.toml -p radius_m=1e-3 --overlap 1e-6:5e-4:500 -o mcc.csv");
+  table.callback([options] { export_table(*options); });
+  add_export_lammps(command);
+  command.footer("Example: platen export table mcc.toml -p radius_m=1e-3 --overlap 1e-6:5e-4:500 -o mcc.csv");
 }
 
 } // namespace platen::app

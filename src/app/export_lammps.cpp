@@ -4,7 +4,6 @@
 #include "core/file.hpp"
 #include "material/card.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -107,20 +106,20 @@ std::string lines_of(const Options& options) {
 
 } // namespace
 
-void add_export_lammps(CLI::App& command) {
-  auto* lammps =
+void add_export_lammps(Command command) {
+  auto lammps =
       command.add_subcommand("lammps", "input lines for pair_style platen, with a stable time step");
   auto options = std::make_shared<Options>();
-  lammps->add_option("LAW", options->laws, "law cards of particle types 1, 2, ...")->required();
-  lammps->add_option("--radius", options->radius, "of the smallest particle [m]")->required();
-  auto* density = lammps->add_option("--density", options->density, "of the particles [kg/m^3]");
-  lammps->add_option("--material", options->material, "material card that has the density_kg_per_m3")
-      ->excludes(density);
-  lammps->add_option("--delta-bar", options->delta_bar,
-                     "largest delta/R that will be reached (default: the end of the card's validity)");
-  lammps->add_option("-o", options->output, "file to write instead of printing");
-  lammps->footer("Example: platen export lammps mcc.toml --radius 1e-4 --density 1500 -o mcc.lmp");
-  lammps->callback([options] {
+  lammps.add_option("LAW", options->laws, "law cards of particle types 1, 2, ...").required();
+  lammps.add_option("--radius", options->radius, "of the smallest particle [m]").required();
+  auto density = lammps.add_option("--density", options->density, "of the particles [kg/m^3]");
+  lammps.add_option("--material", options->material, "material card that has the density_kg_per_m3")
+      .excludes(density);
+  lammps.add_option("--delta-bar", options->delta_bar,
+                    "largest delta/R that will be reached (default: the end of the card's validity)");
+  lammps.add_option("-o", options->output, "file to write instead of printing");
+  lammps.footer("Example: platen export lammps mcc.toml --radius 1e-4 --density 1500 -o mcc.lmp");
+  lammps.callback([options] {
     const std::string text = lines_of(*options);
     if (options->output.empty()) fmt::print("{}", text);
     else core::write_file(options->output, text);

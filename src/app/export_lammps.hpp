@@ -1,12 +1,10 @@
 #pragma once
 
-namespace CLI {
-class App;
-}
+#include "app/command_line.hpp"
 
 namespace platen::app {
 
 /// `platen export lammps`, under the command `export`.
-void add_export_lammps(CLI::App& command);
+void add_export_lammps(Command command);
 
 } // namespace platen::app

@@ -10,7 +10,6 @@
 #include "fit/edmans_sinka_card.hpp"
 #include "press/curve_csv.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -114,33 +113,32 @@ void fit_curve(const Options& o) {
 
 } // namespace
 
-void add_fit(CLI::App& program) {
-  auto* command = program.add_subcommand("fit", "fit a contact law to a curve, pressed or measured");
+void add_fit(Command program) {
+  auto command = program.add_subcommand("fit", "fit a contact law to a curve, pressed or measured");
   auto o = std::make_shared<Options>();
-  command->add_option("CURVE.csv", o->curve, "curve.csv of a press, or columns delta_m,force_N")->required();
-  command->add_option("--law", o->law, "law to fit: edmans-sinka, wang, agarwal, shahin")
-      ->required()
-      ->type_name("NAME");
-  command->add_option("--variant", o->variant, variant_help)->type_name("V")->capture_default_str();
-  command->add_option("-o", o->card, "write the law card here")->type_name("LAW.toml");
-  command->add_option("--picture", o->picture, "draw curve, law and residual: .svg or .png")
-      ->type_name("FILE");
-  command->add_option("--radius_m", o->radius_m, "radius of the particle, for a measured curve")
-      ->type_name("NUMBER");
-  command->add_option("--sigma_ref_Pa", o->sigma_ref_Pa, "stress that makes forces dimensionless")
-      ->type_name("NUMBER");
-  command->add_option("--E_Pa", o->E_Pa, "Young's modulus, for a measured curve")->type_name("NUMBER");
-  command->add_option("--nu", o->nu, "Poisson's ratio, for a measured curve")->type_name("NUMBER");
-  command->add_option("--phi_deg", o->phi_deg, "wang: friction angle, for a curve that does not say it")
-      ->type_name("NUMBER");
-  command->add_option("--sigma_c_Pa", o->sigma_c_Pa, "wang: uniaxial compressive strength, likewise")
-      ->type_name("NUMBER");
-  command->add_option("--inverse_m", o->inverse_m, "shahin: 1/m of sigma = kappa epsilon^(1/m), likewise")
-      ->type_name("NUMBER");
-  command->add_flag("--json", o->json, "for a machine to read");
-  command->footer("Example: platen fit out/curve.csv --law edmans-sinka -o law.toml\n"
-                  "         platen fit measured.csv --radius_m 0.5e-3 --law edmans-sinka");
-  command->callback([o] { fit_curve(*o); });
+  command.add_option("CURVE.csv", o->curve, "curve.csv of a press, or columns delta_m,force_N").required();
+  command.add_option("--law", o->law, "law to fit: edmans-sinka, wang, agarwal, shahin")
+      .required()
+      .type_name("NAME");
+  command.add_option("--variant", o->variant, variant_help).type_name("V").capture_default_str();
+  command.add_option("-o", o->card, "write the law card here").type_name("LAW.toml");
+  command.add_option("--picture", o->picture, "draw curve, law and residual: .svg or .png").type_name("FILE");
+  command.add_option("--radius_m", o->radius_m, "radius of the particle, for a measured curve")
+      .type_name("NUMBER");
+  command.add_option("--sigma_ref_Pa", o->sigma_ref_Pa, "stress that makes forces dimensionless")
+      .type_name("NUMBER");
+  command.add_option("--E_Pa", o->E_Pa, "Young's modulus, for a measured curve").type_name("NUMBER");
+  command.add_option("--nu", o->nu, "Poisson's ratio, for a measured curve").type_name("NUMBER");
+  command.add_option("--phi_deg", o->phi_deg, "wang: friction angle, for a curve that does not say it")
+      .type_name("NUMBER");
+  command.add_option("--sigma_c_Pa", o->sigma_c_Pa, "wang: uniaxial compressive strength, likewise")
+      .type_name("NUMBER");
+  command.add_option("--inverse_m", o->inverse_m, "shahin: 1/m of sigma = kappa epsilon^(1/m), likewise")
+      .type_name("NUMBER");
+  command.add_flag("--json", o->json, "for a machine to read");
+  command.footer("Example: platen fit out/curve.csv --law edmans-sinka -o law.toml\n"
+                 "         platen fit measured.csv --radius_m 0.5e-3 --law edmans-sinka");
+  command.callback([o] { fit_curve(*o); });
 }
 
 } // namespace platen::app

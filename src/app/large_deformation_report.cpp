@@ -33,7 +33,7 @@ template <class Fit, class Table> std::string comparison(const Fit& f, const Tab
                        "                       fitted           published\n"
                        "                       largest  RMS     largest  RMS\n",
                        d.points, d.from, d.to);
-  const auto row = [&](const char* name, const fit::Deviation& one, const fit::Deviation& other) {
+  const auto row = [&](const char* name, const fit::RatioDeviation& one, const fit::RatioDeviation& other) {
     words += fmt::format("  {:<20} {:5.1f} %  {:4.1f} %  {:5.1f} %  {:4.1f} %\n", name, 100 * one.largest,
                          100 * one.rms, 100 * other.largest, 100 * other.rms);
   };
@@ -58,7 +58,7 @@ Json coefficients_json(const Coefficients& values, const Table& table) {
 
 Json deviations_json(const fit::Deviations& d) {
   if (d.points == 0) return nullptr;
-  const auto one = [](const fit::Deviation& x) { return Json{{"largest", x.largest}, {"rms", x.rms}}; };
+  const auto one = [](const fit::RatioDeviation& x) { return Json{{"largest", x.largest}, {"rms", x.rms}}; };
   return {{"hardness", one(d.hardness)}, {"radius", one(d.radius)}, {"force", one(d.force)}};
 }
 

@@ -4,7 +4,6 @@
 #include "core/error.hpp"
 #include "core/number.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,9 +14,9 @@ namespace platen::app {
 
 using core::InvalidInput;
 
-void add_law_arguments(CLI::App& command, LawArguments& arguments) {
+void add_law_arguments(Command command, LawArguments& arguments) {
   command.add_option("LAW", arguments.law, "law card, its name in the catalogue, or the name of a law")
-      ->required();
+      .required();
   command.add_option("-p", arguments.parameters, "parameter, key=value; `platen laws NAME` lists them");
   command.add_option("--variant", arguments.variant, "variant of the law");
   command.add_option("--against", arguments.against, "sphere (default), or plane: a rigid one");

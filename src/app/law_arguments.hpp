@@ -2,14 +2,11 @@
 // How the command line names a law: a card or a bare name, parameters, what it touches, and overlaps. What
 // `eval`, `laws` and `export` share.
 
+#include "app/command_line.hpp"
 #include "fit/law_card.hpp"
 
 #include <string>
 #include <vector>
-
-namespace CLI {
-class App;
-}
 
 namespace platen::app {
 
@@ -20,7 +17,7 @@ struct LawArguments {
   std::string against = "sphere";
 };
 
-void add_law_arguments(CLI::App&, LawArguments&);
+void add_law_arguments(Command, LawArguments&);
 
 /// The card that is meant; a bare law name is an empty card of that law. InvalidInput lists what there is.
 fit::LawCard card_of(const LawArguments&);

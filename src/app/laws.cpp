@@ -4,7 +4,6 @@
 #include "core/nearest.hpp"
 #include "core/number.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -116,16 +115,16 @@ void laws(const Options& options) {
 
 } // namespace
 
-void add_laws(CLI::App& program) {
-  auto* command = program.add_subcommand("laws", "list the contact laws, or the parameters of one");
+void add_laws(Command program) {
+  auto command = program.add_subcommand("laws", "list the contact laws, or the parameters of one");
   auto options = std::make_shared<Options>();
-  command->add_option("NAME", options->name, "name of a law");
-  command->add_option("-p", options->parameters,
-                      "key=value; with `wang`, prints where the material first yields");
-  command->add_flag("--json", options->json, "for a machine to read");
-  command->footer(
+  command.add_option("NAME", options->name, "name of a law");
+  command.add_option("-p", options->parameters,
+                     "key=value; with `wang`, prints where the material first yields");
+  command.add_flag("--json", options->json, "for a machine to read");
+  command.footer(
       "Example: platen laws wang -p radius_m=0.1 -p E_Pa=1e10 -p nu=0.15 -p phi_deg=25 -p sigma_c_Pa=15e6");
-  command->callback([options] { laws(*options); });
+  command.callback([options] { laws(*options); });
 }
 
 } // namespace platen::app

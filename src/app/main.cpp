@@ -5,13 +5,15 @@
 #include "core/say.hpp"
 #include "core/version.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <filesystem>
 #include <new>
+#include <string>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 namespace {
 
@@ -20,22 +22,24 @@ using namespace platen;
 // The exit codes, in this one place.
 enum Exit { done = 0, fault = 1, bad_input = 2, not_converged = 3, input_output = 4, interrupted = 130 };
 
+constexpr const char* description =
+    "Contact laws for plastic particles: material card, virtual press, fitted law.";
+
 int give_up(Exit code, std::string_view why) {
   core::say(fmt::format("platen: {}\n", why));
   return code;
 }
 
-void print_commands(const CLI::App& program) {
-  fmt::print("{}\n\n", program.get_description());
-  for (const auto* command : program.get_subcommands({}))
-    fmt::print("  platen {:<10} {}\n", command->get_name(), command->get_description());
+void print_commands(const app::Program& program) {
+  fmt::print("{}\n\n", description);
+  for (const auto& [name, what] : program.commands()) fmt::print("  platen {:<10} {}\n", name, what);
   fmt::print("\nplaten COMMAND --help says more, with an example.\n");
 }
 
-void refuse_unknown_command(const CLI::App& program, int argc, char** argv) {
+void refuse_unknown_command(const app::Program& program, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
   std::vector<std::string> names;
-  for (const auto* command : program.get_subcommands({})) names.push_back(command->get_name());
+  for (const auto& [name, what] : program.commands()) names.push_back(name);
   for (const auto& name : names)
     if (name == argv[1]) return;
   throw core::InvalidInput(
@@ -43,24 +47,23 @@ void refuse_unknown_command(const CLI::App& program, int argc, char** argv) {
 }
 
 int run(int argc, char** argv) {
-  CLI::App program("Contact laws for plastic particles: material card, virtual press, fitted law.", "platen");
-  program.set_version_flag("--version", fmt::format("platen {} (engine {})", core::version, core::engine));
-  program.footer("Example: platen derive mcc-ph-200 -o out");
-  app::add_materials(program);
-  app::add_point(program);
-  app::add_press(program);
-  app::add_fit(program);
-  app::add_derive(program);
-  app::add_laws(program);
-  app::add_eval(program);
-  app::add_compare(program);
-  app::add_export(program);
-  app::add_study(program);
-  try {
-    refuse_unknown_command(program, argc, argv);
-    program.parse(argc, argv); // runs the command's callback
-    if (argc < 2) print_commands(program);
-  } catch (const CLI::ParseError& error) { return program.exit(error) == 0 ? done : bad_input; }
+  app::Program program("platen", description,
+                       fmt::format("platen {} (engine {})", core::version, core::engine));
+  app::Command command = program.command();
+  command.footer("Example: platen derive mcc-ph-200 -o out");
+  app::add_materials(command);
+  app::add_point(command);
+  app::add_press(command);
+  app::add_fit(command);
+  app::add_derive(command);
+  app::add_laws(command);
+  app::add_eval(command);
+  app::add_compare(command);
+  app::add_export(command);
+  app::add_study(command);
+  refuse_unknown_command(program, argc, argv);
+  if (!program.parse(argc, argv)) return bad_input;
+  if (argc < 2) print_commands(program);
   return done;
 }
 

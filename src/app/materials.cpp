@@ -4,7 +4,6 @@
 #include "core/version.hpp"
 #include "material/card.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -61,15 +60,15 @@ void materials(const Options& options) {
 
 } // namespace
 
-void add_materials(CLI::App& program) {
-  auto* command =
+void add_materials(Command program) {
+  auto command =
       program.add_subcommand("materials", "list the material cards of the catalogue, or print one");
   auto options = std::make_shared<Options>();
-  command->add_option("NAME", options->name, "name in the catalogue, or path of a card");
-  command->add_flag("--json", options->json, "for a machine to read");
-  command->add_flag("--keys", options->keys, "every key of a material card, as Markdown");
-  command->footer("Example: platen materials mcc-ph-200");
-  command->callback([options] { materials(*options); });
+  command.add_option("NAME", options->name, "name in the catalogue, or path of a card");
+  command.add_flag("--json", options->json, "for a machine to read");
+  command.add_flag("--keys", options->keys, "every key of a material card, as Markdown");
+  command.footer("Example: platen materials mcc-ph-200");
+  command.callback([options] { materials(*options); });
 }
 
 } // namespace platen::app

@@ -11,7 +11,6 @@
 #include "plot/yield_picture.hpp"
 #include "plot/zone_map.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -193,38 +192,36 @@ void point(const Options& o) {
 
 } // namespace
 
-void add_point(CLI::App& program) {
-  auto* command =
-      program.add_subcommand("point", "lead one material point along a path: stress, state, zone");
+void add_point(Command program) {
+  auto command = program.add_subcommand("point", "lead one material point along a path: stress, state, zone");
   auto o = std::make_shared<Options>();
-  command->add_option("CARD", o->card, "material card, or a name in the catalogue")->required();
+  command.add_option("CARD", o->card, "material card, or a name in the catalogue").required();
   command
-      ->add_option("--path", o->path,
-                   "isotropic, uniaxial-strain, triaxial, shear, or a CSV with eps_1,eps_2,eps_3")
-      ->required()
-      ->type_name("PATH");
+      .add_option("--path", o->path,
+                  "isotropic, uniaxial-strain, triaxial, shear, or a CSV with eps_1,eps_2,eps_3")
+      .required()
+      .type_name("PATH");
   command
-      ->add_option("--strain", o->strain,
-                   "logarithmic strain at the end, extension positive: of the volume (isotropic), of axis 1")
-      ->type_name("NUMBER")
-      ->capture_default_str();
-  command->add_option("--steps", o->steps, "increments")->type_name("NUMBER")->capture_default_str();
-  command->add_option("--lateral_Pa", o->lateral_Pa, "triaxial: stress on axes 2 and 3, tension positive")
-      ->type_name("NUMBER")
-      ->capture_default_str();
-  command
-      ->add_option("--compaction", o->compaction, "shear: logarithmic volume lost before, in as many steps")
-      ->type_name("NUMBER")
-      ->capture_default_str();
-  command->add_option("--model", o->model, "run a vmdc or dpc card as vmdc, dpc, dpc-published or von-mises")
-      ->type_name("NAME");
-  command->add_option("--moduli", o->moduli, "implicit, or after-step: elastic moduli one step late")
-      ->type_name("SCHEME")
-      ->capture_default_str();
-  command->add_option("-o", o->folder, "folder for point.csv and surface.svg, instead of printing")
-      ->type_name("DIR");
-  command->footer("Example: platen point base-case --path uniaxial-strain --strain -0.3 -o out/point");
-  command->callback([o] { point(*o); });
+      .add_option("--strain", o->strain,
+                  "logarithmic strain at the end, extension positive: of the volume (isotropic), of axis 1")
+      .type_name("NUMBER")
+      .capture_default_str();
+  command.add_option("--steps", o->steps, "increments").type_name("NUMBER").capture_default_str();
+  command.add_option("--lateral_Pa", o->lateral_Pa, "triaxial: stress on axes 2 and 3, tension positive")
+      .type_name("NUMBER")
+      .capture_default_str();
+  command.add_option("--compaction", o->compaction, "shear: logarithmic volume lost before, in as many steps")
+      .type_name("NUMBER")
+      .capture_default_str();
+  command.add_option("--model", o->model, "run a vmdc or dpc card as vmdc, dpc, dpc-published or von-mises")
+      .type_name("NAME");
+  command.add_option("--moduli", o->moduli, "implicit, or after-step: elastic moduli one step late")
+      .type_name("SCHEME")
+      .capture_default_str();
+  command.add_option("-o", o->folder, "folder for point.csv and surface.svg, instead of printing")
+      .type_name("DIR");
+  command.footer("Example: platen point base-case --path uniaxial-strain --strain -0.3 -o out/point");
+  command.callback([o] { point(*o); });
 }
 
 } // namespace platen::app

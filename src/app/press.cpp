@@ -5,7 +5,6 @@
 #include "press/regimes.hpp"
 #include "press/tension.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <memory>
@@ -48,31 +47,28 @@ void press(const Options& options) {
 
 } // namespace
 
-void add_press(CLI::App& program) {
-  auto* command = program.add_subcommand(
+void add_press(Command program) {
+  auto command = program.add_subcommand(
       "press", "press one virtual particle: curve.csv, summary.json, pictures, fields");
   auto options = std::make_shared<Options>();
-  auto* card = command->add_option("CASE.toml", options->card, "the case card");
-  command->add_option("-o", options->folder, "folder for the results")
-      ->type_name("DIR")
-      ->capture_default_str();
+  auto card = command.add_option("CASE.toml", options->card, "the case card");
+  command.add_option("-o", options->folder, "folder for the results").type_name("DIR").capture_default_str();
   command
-      ->add_option("--model", options->model,
-                   "run a vmdc or dpc card as vmdc, dpc, dpc-published or von-mises")
-      ->type_name("NAME");
-  command->add_flag("--json", options->json, "print the summary for a machine to read");
-  auto* keys = command->add_flag("--keys", options->keys, "every key of a case card, as Markdown");
-  keys->excludes(card);
-  command->footer(
-      "Example: platen press case.toml -o out/press\n"
-      "with case.toml:\n\n"
-      "  platen = 1\n  experiment = \"simple\"\n  material = \"mcc-ph-200\"\n  radius_m = 1e-3\n"
-      "  [output]\n  fields_at = [0.1, 0.5]\n\n"
-      "Small contacts: experiment = \"local\", [path] force_max_N = 100\n"
-      "Confined: experiment = \"die\" or \"hydrostatic\", or \"triaxial\" with [path] delta_bar = "
-      "[...],\ndelta_bar_x = [...], delta_bar_y = [...]");
-  command->callback([options] {
-    if (options->card.empty() && !options->keys) throw CLI::RequiredError("CASE.toml");
+      .add_option("--model", options->model,
+                  "run a vmdc or dpc card as vmdc, dpc, dpc-published or von-mises")
+      .type_name("NAME");
+  command.add_flag("--json", options->json, "print the summary for a machine to read");
+  auto keys = command.add_flag("--keys", options->keys, "every key of a case card, as Markdown");
+  keys.excludes(card);
+  command.footer("Example: platen press case.toml -o out/press\n"
+                 "with case.toml:\n\n"
+                 "  platen = 1\n  experiment = \"simple\"\n  material = \"mcc-ph-200\"\n  radius_m = 1e-3\n"
+                 "  [output]\n  fields_at = [0.1, 0.5]\n\n"
+                 "Small contacts: experiment = \"local\", [path] force_max_N = 100\n"
+                 "Confined: experiment = \"die\" or \"hydrostatic\", or \"triaxial\" with [path] delta_bar = "
+                 "[...],\ndelta_bar_x = [...], delta_bar_y = [...]");
+  command.callback([options] {
+    if (options->card.empty() && !options->keys) refuse_missing("CASE.toml");
     press(*options);
   });
 }

@@ -9,7 +9,6 @@
 #include "study/table.hpp"
 #include "study/work.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -141,59 +140,59 @@ void submit(const Options& o) {
 
 } // namespace
 
-void add_study(CLI::App& program) {
-  auto* command =
+void add_study(Command program) {
+  auto command =
       program.add_subcommand("study", "many presses: design, run, status, export, submit, merge, check");
-  command->require_subcommand(1);
+  command.require_subcommand();
   auto o = std::make_shared<Options>();
   const auto add = [&](const char* name, const char* what, void (*action)(const Options&)) {
-    auto* sub = command->add_subcommand(name, what);
-    sub->add_option("STUDY.toml", o->card, "the study card")->required();
-    sub->add_option("--store", o->store, "folder of the runs; default out/NAME")->type_name("DIR");
-    sub->callback([o, action] { action(*o); });
+    auto sub = command.add_subcommand(name, what);
+    sub.add_option("STUDY.toml", o->card, "the study card").required();
+    sub.add_option("--store", o->store, "folder of the runs; default out/NAME").type_name("DIR");
+    sub.callback([o, action] { action(*o); });
     return sub;
   };
-  const auto add_old = [&](CLI::App* sub) {
-    auto* keep = sub->add_flag("--keep", o->keep, "count the runs of another engine, press what is missing");
-    sub->add_flag("--recompute", o->recompute, "press again what another engine computed")->excludes(keep);
+  const auto add_old = [&](Command sub) {
+    auto keep = sub.add_flag("--keep", o->keep, "count the runs of another engine, press what is missing");
+    sub.add_flag("--recompute", o->recompute, "press again what another engine computed").excludes(keep);
   };
-  add_study_design(*command);
-  auto* start = add("run", "press what is missing; the same command goes on after a stop", run);
-  start->add_option("--workers", o->workers, "processes")->check(CLI::Range(1, 1024))->capture_default_str();
-  start->add_flag("--retry-failed", o->retry_failed, "press failed runs again");
+  add_study_design(command);
+  auto start = add("run", "press what is missing; the same command goes on after a stop", run);
+  start.add_option("--workers", o->workers, "processes").range(1, 1024).capture_default_str();
+  start.add_flag("--retry-failed", o->retry_failed, "press failed runs again");
   add_old(start);
-  start->footer("Example: platen study run examples/study.toml --store out/study --workers 2");
+  start.footer("Example: platen study run examples/study.toml --store out/study --workers 2");
   add("status", "what is done, what failed and why, what is left", status)
-      ->footer("Example: platen study status examples/study.toml --store out/study");
-  auto* table = add("export", "fit the kept curves and write tables, without a press", export_table);
-  table->add_option("-o", o->output, "the runs: CSV, or SQLite with the curves where it ends in .sqlite")
-      ->type_name("FILE")
-      ->capture_default_str();
-  table->add_option("--curves", o->curves, "the curves on a common grid, as CSV")->type_name("FILE");
-  table->add_option("--step", o->step, "grid of the loading branches in delta/R0")
-      ->check(CLI::Range(1e-5, 0.5))
-      ->capture_default_str();
-  table->add_option("--variant", o->variant, "form of the law: published, c1, hertz-like")
-      ->capture_default_str();
-  table->footer(
+      .footer("Example: platen study status examples/study.toml --store out/study");
+  auto table = add("export", "fit the kept curves and write tables, without a press", export_table);
+  table.add_option("-o", o->output, "the runs: CSV, or SQLite with the curves where it ends in .sqlite")
+      .type_name("FILE")
+      .capture_default_str();
+  table.add_option("--curves", o->curves, "the curves on a common grid, as CSV").type_name("FILE");
+  table.add_option("--step", o->step, "grid of the loading branches in delta/R0")
+      .range(1e-5, 0.5)
+      .capture_default_str();
+  table.add_option("--variant", o->variant, "form of the law: published, c1, hertz-like")
+      .capture_default_str();
+  table.footer(
       "Example: platen study export examples/study.toml --store out/study -o runs.csv --curves curves.csv\n"
       "         platen study export examples/study.toml --store out/study -o study.sqlite");
-  auto* job = add("submit", "a Slurm job array whose tasks press what is missing", submit);
-  job->add_option("--tasks", o->tasks, "tasks of the array; not more than runs are left")
-      ->check(CLI::Range(1, 10000))
-      ->capture_default_str();
-  job->add_option("--slurm", o->slurm, "an option of sbatch; may be repeated")->type_name("OPTION");
-  job->add_flag("--dry-run", o->dry_run, "print the batch script and submit nothing");
+  auto job = add("submit", "a Slurm job array whose tasks press what is missing", submit);
+  job.add_option("--tasks", o->tasks, "tasks of the array; not more than runs are left")
+      .range(1, 10000)
+      .capture_default_str();
+  job.add_option("--slurm", o->slurm, "an option of sbatch; may be repeated").type_name("OPTION");
+  job.add_flag("--dry-run", o->dry_run, "print the batch script and submit nothing");
   add_old(job);
-  job->footer("Example: platen study submit examples/study.toml --store /shared/study --tasks 32 "
-              "--slurm=--time=4:00:00 --slurm=--partition=short\n"
-              "The store and the card must be in a folder that all nodes see.");
-  auto* join = add("merge", "copy runs of other stores into this one", merge);
-  join->add_option("--from", o->others, "the other stores")->required()->type_name("DIR");
-  join->add_flag("--keep", o->keep, "count the runs of another engine");
-  join->footer("Example: platen study merge examples/study.toml --store out/all --from out/mine out/theirs");
-  add_study_check(*command);
-  command->footer("Example: platen study run examples/study.toml");
+  job.footer("Example: platen study submit examples/study.toml --store /shared/study --tasks 32 "
+             "--slurm=--time=4:00:00 --slurm=--partition=short\n"
+             "The store and the card must be in a folder that all nodes see.");
+  auto join = add("merge", "copy runs of other stores into this one", merge);
+  join.add_option("--from", o->others, "the other stores").required().type_name("DIR");
+  join.add_flag("--keep", o->keep, "count the runs of another engine");
+  join.footer("Example: platen study merge examples/study.toml --store out/all --from out/mine out/theirs");
+  add_study_check(command);
+  command.footer("Example: platen study run examples/study.toml");
 }
 
 } // namespace platen::app

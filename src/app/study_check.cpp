@@ -5,7 +5,6 @@
 #include "core/version.hpp"
 #include "study/pool.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -57,29 +56,22 @@ void check(const Options& o) {
 
 } // namespace
 
-void add_study_check(CLI::App& study) {
+void add_study_check(Command study) {
   auto o = std::make_shared<Options>();
-  auto* command = study.add_subcommand("check", "press runs of a data pool again and compare");
-  command->add_option("POOL", o->pool, "folder with study.toml, runs.csv, curves.csv")
-      ->required()
-      ->type_name("DIR");
-  command->add_option("--share", o->share, "of the runs, at random")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
-  command->add_option("--seed", o->seed, "which of them")
-      ->check(CLI::Range(0, 1000000000))
-      ->capture_default_str();
-  command->add_flag("--cheapest", o->cheapest,
-                    "instead: two, of the softer and of the stiffer half the run that took least time");
+  auto command = study.add_subcommand("check", "press runs of a data pool again and compare");
+  command.add_option("POOL", o->pool, "folder with study.toml, runs.csv, curves.csv")
+      .required()
+      .type_name("DIR");
+  command.add_option("--share", o->share, "of the runs, at random").range(0.0, 1.0).capture_default_str();
+  command.add_option("--seed", o->seed, "which of them").range(0, 1000000000).capture_default_str();
+  command.add_flag("--cheapest", o->cheapest,
+                   "instead: two, of the softer and of the stiffer half the run that took least time");
   command
-      ->add_option("--until", o->until,
-                   "press only to this delta/R0, without unloading (not local, triaxial)")
-      ->check(CLI::Range(1e-4, 1.0));
-  command->add_option("--workers", o->workers, "processes")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  command->footer("Example: platen study check catalogue/pools/edmans-sinka --share 0.02");
-  command->callback([o] { check(*o); });
+      .add_option("--until", o->until, "press only to this delta/R0, without unloading (not local, triaxial)")
+      .range(1e-4, 1.0);
+  command.add_option("--workers", o->workers, "processes").range(1, 1024).capture_default_str();
+  command.footer("Example: platen study check catalogue/pools/edmans-sinka --share 0.02");
+  command.callback([o] { check(*o); });
 }
 
 } // namespace platen::app

@@ -1,12 +1,10 @@
 #pragma once
 // `platen study check`: runs of a data pool pressed again.
 
-namespace CLI {
-class App;
-}
+#include "app/command_line.hpp"
 
 namespace platen::app {
 
-void add_study_check(CLI::App& study);
+void add_study_check(Command study);
 
 } // namespace platen::app

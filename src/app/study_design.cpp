@@ -6,7 +6,6 @@
 #include "study/derived.hpp"
 #include "study/sheet.hpp"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -86,19 +85,19 @@ void design(const Options& o) {
 
 } // namespace
 
-void add_study_design(CLI::App& study) {
+void add_study_design(Command study) {
   auto o = std::make_shared<Options>();
-  auto* command = study.add_subcommand("design", "the runs of a study, and how well they fill their ranges");
-  auto* card = command->add_option("STUDY.toml", o->card, "the study card");
-  command->add_option("-o", o->output, "the runs as CSV")->type_name("FILE");
-  command->add_option("--beside", o->beside, "a study over the same factors, to compare with")
-      ->type_name("STUDY.toml");
-  command->footer(
+  auto command = study.add_subcommand("design", "the runs of a study, and how well they fill their ranges");
+  auto card = command.add_option("STUDY.toml", o->card, "the study card");
+  command.add_option("-o", o->output, "the runs as CSV").type_name("FILE");
+  command.add_option("--beside", o->beside, "a study over the same factors, to compare with")
+      .type_name("STUDY.toml");
+  command.footer(
       "Example: platen study design examples/space-filling.toml --beside examples/shahin-a1.toml -o "
       "design.csv");
-  command->add_flag("--keys", o->keys, "every key of a study card, as Markdown")->excludes(card);
-  command->callback([o] {
-    if (o->card.empty() && !o->keys) throw CLI::RequiredError("STUDY.toml");
+  command.add_flag("--keys", o->keys, "every key of a study card, as Markdown").excludes(card);
+  command.callback([o] {
+    if (o->card.empty() && !o->keys) refuse_missing("STUDY.toml");
     design(*o);
   });
 }

@@ -1,12 +1,10 @@
 #pragma once
 // `platen study design`: the runs of a study before any is pressed.
 
-namespace CLI {
-class App;
-}
+#include "app/command_line.hpp"
 
 namespace platen::app {
 
-void add_study_design(CLI::App& study);
+void add_study_design(Command study);
 
 } // namespace platen::app

@@ -4,13 +4,14 @@
 #include "core/number.hpp"
 #include "core/sha256.hpp"
 #include "fit/golden.hpp"
+#include "fit/least_squares.hpp"
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace platen::fit {
 namespace {
@@ -70,19 +71,18 @@ std::vector<LoadedRow> loaded_rows(const press::Curve& curve, law::LoadingCase l
 FittedRadius fit_radius(const std::vector<LoadedRow>& rows, law::LoadingCase loading,
                         const law::RadiusPolynomial<double>& published) {
   const bool whole = rows.back().x >= whole_from * last_overlap(loading);
-  Eigen::MatrixXd A(rows.size(), whole ? 3 : 1);
-  Eigen::VectorXd b(rows.size());
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double x = rows[i].x, root = std::sqrt(x);
-    const auto row = static_cast<Eigen::Index>(i);
-    A(row, 0) = root;
-    b(row) = rows[i].point.a;
-    if (whole) A(row, 1) = -root * x, A(row, 2) = root * x * x;
-    else b(row) -= root * x * (published.D5 * x - published.D3);
+  std::vector<std::vector<double>> terms(whole ? 3 : 1);
+  std::vector<double> a;
+  for (const auto& [x, point] : rows) {
+    const double root = std::sqrt(x);
+    terms[0].push_back(root);
+    a.push_back(point.a);
+    if (whole) terms[1].push_back(-root * x), terms[2].push_back(root * x * x);
+    else a.back() -= root * x * (published.D5 * x - published.D3);
   }
-  const Eigen::VectorXd D = A.colPivHouseholderQr().solve(b);
-  if (whole) return {{D(0), D(1), D(2)}, true};
-  return {{D(0), published.D3, published.D5}, false};
+  const auto D = least_squares(terms, a);
+  if (whole) return {{D[0], D[1], D[2]}, true};
+  return {{D[0], published.D3, published.D5}, false};
 }
 
 std::optional<double> side_onset(const press::Curve& curve) {
@@ -122,7 +122,7 @@ std::optional<SideMotion> side_motion(const press::Curve& curve) {
 Deviations deviations(const LawOfOverlap& law, const std::vector<LoadedRow>& rows, law::LoadingCase loading) {
   Deviations d;
   d.from = compare_from, d.to = compare_to * last_overlap(loading);
-  const auto add = [](Deviation& deviation, double ratio) {
+  const auto add = [](RatioDeviation& deviation, double ratio) {
     deviation.largest = std::max(deviation.largest, std::abs(ratio - 1));
     deviation.rms += (ratio - 1) * (ratio - 1);
   };
@@ -134,7 +134,7 @@ Deviations deviations(const LawOfOverlap& law, const std::vector<LoadedRow>& row
     add(d.force, here.F / curve.F);
     ++d.points;
   }
-  for (Deviation* deviation : {&d.hardness, &d.radius, &d.force})
+  for (RatioDeviation* deviation : {&d.hardness, &d.radius, &d.force})
     if (d.points) deviation->rms = std::sqrt(deviation->rms / static_cast<double>(d.points));
   return d;
 }

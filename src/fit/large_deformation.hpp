@@ -60,14 +60,14 @@ struct SideMotion {
 std::optional<SideMotion> side_motion(const press::Curve&);
 
 /// Of a law, relative to the curve, over the overlaps of the comparison.
-struct Deviation {
+struct RatioDeviation {
   double largest = 0; ///< of |law/curve - 1|
   double rms = 0;     ///< over the rows
 };
 struct Deviations {
   double from = 0, to = 0; ///< x, 0.06 to 0.9 of the limit
   std::size_t points = 0;
-  Deviation hardness, radius, force;
+  RatioDeviation hardness, radius, force;
 };
 Deviations deviations(const LawOfOverlap&, const std::vector<LoadedRow>&, law::LoadingCase);
 

@@ -4,17 +4,20 @@
 #include "core/number.hpp"
 #include "core/sha256.hpp"
 #include "fit/golden.hpp"
+#include "fit/least_squares.hpp"
 #include "fit/samples.hpp"
 #include "fit/unloading.hpp"
 #include "platen/law/drucker_prager_yield.hpp"
 
-#include <Eigen/Dense>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace platen::fit {
 namespace {
@@ -90,19 +93,19 @@ template <class Form> double nearest(const Samples& s, const Form& form, double 
 }
 
 FormFit polynomial(const Samples& s, std::string name, int degree) {
-  Eigen::MatrixXd A(s.size(), degree + 1);
-  Eigen::VectorXd y(s.size());
+  std::vector<std::vector<double>> powers(degree + 1);
+  std::vector<double> y;
   for (std::size_t i = 0; i < s.size(); ++i) {
     const double root = std::sqrt(s.weight[i]);
     for (int k = 0; k <= degree; ++k)
-      A(static_cast<int>(i), k) = root * std::pow(s.delta_bar[i] / s.delta_bar.back(), k);
-    y(static_cast<int>(i)) = root * s.F_bar[i];
+      powers[k].push_back(root * std::pow(s.delta_bar[i] / s.delta_bar.back(), k));
+    y.push_back(root * s.F_bar[i]);
   }
-  const Eigen::VectorXd c = A.colPivHouseholderQr().solve(y);
+  const auto c = least_squares(powers, y);
   std::vector<double> law;
   for (const double omega : s.delta_bar) {
     double F = 0;
-    for (int k = 0; k <= degree; ++k) F += c(k) * std::pow(omega / s.delta_bar.back(), k);
+    for (int k = 0; k <= degree; ++k) F += c[k] * std::pow(omega / s.delta_bar.back(), k);
     law.push_back(F);
   }
   return {std::move(name), degree + 1, r_squared(s, law), rmse(s, law)};
