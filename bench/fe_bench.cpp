@@ -2,7 +2,7 @@
 // updated (material_bench), one thread, ns a point: b_e^tr to its eigenvalues, axes and logarithmic strains,
 // and principal stresses back to a tensor.
 
-#include "fe/vector3.hpp"
+#include "fe/tensor.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -53,8 +53,8 @@ std::map<double, double> reactions(const std::string& dat) {
 
 } // namespace
 
-std::string calculix_deck(const fe::AxisymmetricMesh& mesh, const PressOfPeer& press) {
-  const int n = static_cast<int>(mesh.nodes.size()), quads = static_cast<int>(mesh.quads.size());
+std::string calculix_deck(const fe::SectionMesh& mesh, const PressOfPeer& press) {
+  const int n = static_cast<int>(mesh.nodes.size()), quads = static_cast<int>(mesh.elements.size());
   const double end = press.delta_bar.back();
   std::string deck = "*HEADING\nquarter section of a sphere under a rigid plane\n*NODE, NSET=ALL\n";
   for (int i = 0; i < n; ++i)
@@ -67,20 +67,20 @@ std::string calculix_deck(const fe::AxisymmetricMesh& mesh, const PressOfPeer& p
 
   deck += "*ELEMENT, TYPE=CAX4, ELSET=SPHERE\n";
   for (int e = 0; e < quads; ++e) {
-    const auto& q = mesh.quads[e];
+    const auto& q = mesh.elements[e];
     deck += fmt::format("{}, {}, {}, {}, {}\n", e + 1, q[0] + 1, q[1] + 1, q[2] + 1, q[3] + 1);
   }
   deck += fmt::format("*ELEMENT, TYPE=CAX4, ELSET=TOOL\n{}, {}, {}, {}, {}\n", quads + 1, n + 1, n + 2, n + 3,
                       n + 4);
-  deck += "*NSET, NSET=AXIS\n" + id_list(mesh.axis) + "*NSET, NSET=EQUATOR\n" + id_list(mesh.equator);
+  deck += "*NSET, NSET=AXIS\n" + id_list(mesh.mirrors[0].nodes) + "*NSET, NSET=EQUATOR\n" + id_list(mesh.mirrors[1].nodes);
 
   // The element edges on the sphere: S1 joins the first and second node, S2 the second and third, ...
   std::vector<char> on_sphere(n, 0);
-  for (const int node : mesh.surface) on_sphere[node] = 1;
+  for (const auto& edge : mesh.surface) on_sphere[edge[0]] = on_sphere[edge[1]] = 1;
   deck += "*SURFACE, NAME=OUTSIDE, TYPE=ELEMENT\n";
   for (int e = 0; e < quads; ++e)
     for (int side = 0; side < 4; ++side)
-      if (on_sphere[mesh.quads[e][side]] && on_sphere[mesh.quads[e][(side + 1) % 4]])
+      if (on_sphere[mesh.elements[e][side]] && on_sphere[mesh.elements[e][(side + 1) % 4]])
         deck += fmt::format("{}, S{}\n", e + 1, side + 1);
   deck += fmt::format("*SURFACE, NAME=FLAT, TYPE=ELEMENT\n{}, S1\n", quads + 1);
 
@@ -100,7 +100,7 @@ std::string calculix_deck(const fe::AxisymmetricMesh& mesh, const PressOfPeer& p
   return deck;
 }
 
-PeerCurve run_calculix(const fe::AxisymmetricMesh& mesh, const PressOfPeer& press,
+PeerCurve run_calculix(const fe::SectionMesh& mesh, const PressOfPeer& press,
                        const std::filesystem::path& folder) {
   core::prepare_folder(folder);
   core::write_file(folder / "press.inp", calculix_deck(mesh, press));

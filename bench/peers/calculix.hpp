@@ -18,7 +18,7 @@ struct PressOfPeer {
 };
 
 /// The input deck. The plane stands still at z = 1, and the equator moves towards it.
-std::string calculix_deck(const fe::AxisymmetricMesh&, const PressOfPeer&);
+std::string calculix_deck(const fe::SectionMesh&, const PressOfPeer&);
 
 struct PeerCurve {
   std::vector<double> F_bar; ///< F/(pi R0^2 sigma_y) at each delta_bar
@@ -27,6 +27,6 @@ struct PeerCurve {
 };
 
 /// Runs `ccx` in `folder` on one thread. IoError where it is missing or did not get to the end.
-PeerCurve run_calculix(const fe::AxisymmetricMesh&, const PressOfPeer&, const std::filesystem::path& folder);
+PeerCurve run_calculix(const fe::SectionMesh&, const PressOfPeer&, const std::filesystem::path& folder);
 
 } // namespace platen::bench

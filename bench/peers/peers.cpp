@@ -27,12 +27,12 @@ struct Ours {
 };
 
 Ours run_ours(int elements, const bench::PressOfPeer& peer) {
-  press::Case c;
-  c.material = material::read_card("von-mises-100").material;
-  c.elements = elements;
-  c.fields_at = peer.delta_bar; // the press stops there exactly
+  press::Simple e;
+  e.elements = elements;
+  e.fields_at = peer.delta_bar; // the press stops there exactly
+  const press::Case c{material::read_card("von-mises-100").material, 1e-3, e};
   const std::clock_t start = std::clock();
-  const auto result = press::simple(c);
+  const auto result = press::press(c);
   Ours ours;
   ours.cpu_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   ours.statistics = result.statistics;
@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
     const auto mesh = fe::quarter_disc(elements);
     fmt::print(
         "von Mises, E/sigma_y = 100, {} elements, steps of delta_bar up to {}, of CalculiX {}, one thread\n",
-        mesh.quads.size(), press::Case{}.step_max, press.step_max);
+        mesh.elements.size(), press::Simple{}.step_max, press.step_max);
     const Ours ours = run_ours(elements, press);
     const auto& s = ours.statistics;
     fmt::print("platen   {:7.1f} s of processor time, {} steps, {} iterations\n", ours.cpu_s, s.steps,
@@ -89,7 +89,7 @@ int main(int argc, char** argv) {
         {"program", "bench_peers"},
         {"platen", core::version},
         {"engine", core::engine},
-        {"elements", mesh.quads.size()},
+        {"elements", mesh.elements.size()},
         {"delta_bar", press.delta_bar},
         {"ours", {{"F_bar", ours.F_bar}, {"cpu_s", ours.cpu_s}, {"iterations", s.iterations}}},
         {"calculix", {{"F_bar", peer.F_bar}, {"cpu_s", peer.cpu_s}, {"iterations", peer.iterations}}},

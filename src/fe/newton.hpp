@@ -13,7 +13,7 @@
 namespace platen::fe {
 
 struct NewtonSettings {
-  double relative_residual_tolerance = 1e-5; ///< of the free unknowns, relative to the reactions
+  double relative_residual_tolerance = 1e-4; ///< of the free unknowns, relative to the reactions
   int iterations_max = 25;
 };
 

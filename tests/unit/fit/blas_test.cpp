@@ -1,6 +1,6 @@
 // Which kernels the solver computes with in a program that has Ceres in it as well.
 
-#include "fe/sparse.hpp"
+#include "fe/dissection.hpp"
 #include "fit/edmans_sinka.hpp"
 
 #include <dlfcn.h>
@@ -8,11 +8,11 @@
 
 using namespace platen;
 
-// Ceres brings ATLAS with it, which MUMPS would take were it found first: presses would be 1.2 to 1.7 times
+// Ceres brings ATLAS with it, which the solver would take were it found first: presses would be 1.2 to 1.7 times
 // as long.
-TEST(DirectSolver, ComputesWithOpenBlasBesideCeres) {
+TEST(Dissection, ComputesWithOpenBlasBesideCeres) {
   const std::vector<std::vector<int>> element = {{0, 1}};
-  fe::DirectSolver solver(2, element, fe::Symmetry::unsymmetric); // or the linker would leave it out
+  fe::Dissection solver(2, element, std::vector<fe::Vector3>{{}}); // or the linker would leave it out
   EXPECT_THROW(fit::fit_edmans_sinka(press::Curve{}), std::exception);
   void* const openblas = dlopen("libopenblas.so.0", RTLD_LAZY | RTLD_NOLOAD);
   ASSERT_NE(openblas, nullptr);

@@ -184,15 +184,12 @@ TEST_F(Pictures, OfALocalPressNameLoadsAndUnits) {
 
 /// A coarse ball between planes that move one after the other.
 press::Result squeezed() {
-  press::Case c;
-  c.experiment = "triaxial";
-  c.material = material::read_card("von-mises-100").material;
-  c.radius_m = 1e-3;
-  c.elements = 200;
-  c.delta_bar_z = {0.02, 0.02};
-  c.delta_bar_x = {0, 0.01};
-  c.fields_at = {0.02, 0.03};
-  return press::confined(c);
+  press::Triaxial e;
+  e.elements = 200;
+  e.delta_bar_z = {0.02, 0.02};
+  e.delta_bar_x = {0, 0.01};
+  e.fields_at = {0.02, 0.03};
+  return press::press({material::read_card("von-mises-100").material, 1e-3, e});
 }
 
 TEST_F(Pictures, OfAConfinedPressNamePlanesAndOverlaps) {

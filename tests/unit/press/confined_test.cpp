@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "press/case_card.hpp"
+#include "press/confined.hpp"
 #include "press/curve_csv.hpp"
 #include "press/fields_vtu.hpp"
 
@@ -17,14 +18,14 @@ using namespace platen;
 
 namespace {
 
-press::Case small_case(const char* experiment, double delta_bar_max) {
-  press::Case c;
-  c.experiment = experiment;
-  c.material = {"steel", material::VonMises{200, 0.3, 1}, {}};
-  c.radius_m = 1;
-  c.delta_bar_max = delta_bar_max;
-  c.elements = 200;
-  return c;
+template <class X> press::Case small_case(X e) {
+  e.elements = 200;
+  return {{"steel", material::VonMises{200, 0.3, 1}, {}}, 1, e};
+}
+template <class X> press::Case small_case(double delta_bar_max) {
+  X e;
+  e.delta_bar_max = delta_bar_max;
+  return small_case(e);
 }
 
 std::string message_of(const char* card) {
@@ -37,59 +38,58 @@ std::string message_of(const char* card) {
 } // namespace
 
 TEST(Confined, WorkIsStoredOrDissipated) {
-  for (const char* experiment : {"simple", "die", "hydrostatic"}) {
-    const auto result = press::confined(small_case(experiment, 0.06));
+  for (const auto& c :
+       {small_case<press::Simple>(0.06), small_case<press::Die>(0.06), small_case<press::Hydrostatic>(0.06)}) {
+    const bool simple = std::holds_alternative<press::Simple>(c.experiment);
+    const auto result = simple ? press::press_in_space(c) : press::press(c);
     EXPECT_FALSE(result.failure) << *result.failure;
     const auto& end = result.curve.points.back();
-    EXPECT_NEAR((end.stored_J + end.dissipated_J) / end.work_J, 1, 0.025) << experiment;
+    EXPECT_NEAR((end.stored_J + end.dissipated_J) / end.work_J, 1, 0.025) << name_of(c.experiment);
     EXPECT_GT(end.dissipated_J, 0.3 * end.work_J);
   }
 }
 
 TEST(Confined, MorePlanesPushBackHarder) {
-  const double simple = press::confined(small_case("simple", 0.16)).curve.points.back().force_N;
-  const auto die = press::confined(small_case("die", 0.16)).curve.points.back();
-  const auto hydrostatic = press::confined(small_case("hydrostatic", 0.16)).curve.points.back();
+  const double simple = press::press_in_space(small_case<press::Simple>(0.16)).curve.points.back().force_N;
+  const auto die = press::press(small_case<press::Die>(0.16)).curve.points.back();
+  const auto hydrostatic = press::press(small_case<press::Hydrostatic>(0.16)).curve.points.back();
   EXPECT_GT(die.force_N, simple);
   EXPECT_GT(hydrostatic.force_N, die.force_N);
-  EXPECT_GT(die.force_x_N, 0);
-  EXPECT_EQ(die.force_x_N, die.force_y_N);
-  EXPECT_EQ(hydrostatic.force_N, hydrostatic.force_x_N);
-  EXPECT_LT(die.force_x_N, die.force_N);
+  EXPECT_GT(die.side[0].force_N, 0);
+  EXPECT_EQ(die.side[0].force_N, die.side[1].force_N);
+  EXPECT_EQ(hydrostatic.force_N, hydrostatic.side[0].force_N);
+  EXPECT_LT(die.side[0].force_N, die.force_N);
 }
 
 TEST(Confined, TriaxialContainsTheOthers) {
   // The octant is another mesh than the wedges: equal up to discretisation.
-  const auto hydrostatic = press::confined(small_case("hydrostatic", 0.1)).curve.points.back();
-  press::Case c = small_case("triaxial", 0);
-  c.delta_bar_z = c.delta_bar_x = c.delta_bar_y = {0.1};
-  c.delta_bar_max = press::path_length(c);
-  const auto same = press::confined(c).curve.points.back();
+  const auto hydrostatic = press::press(small_case<press::Hydrostatic>(0.1)).curve.points.back();
+  press::Triaxial e;
+  e.delta_bar_z = e.delta_bar_x = e.delta_bar_y = {0.1};
+  const auto same = press::press(small_case(e)).curve.points.back();
   EXPECT_NEAR(same.force_N / hydrostatic.force_N, 1, 1e-9); // the same wedge
-  c.delta_bar_y = {0.1 * (1 - 1e-9)};
-  c.delta_bar_max = press::path_length(c);
-  const auto octant = press::confined(c).curve.points.back();
+  e.delta_bar_y = {0.1 * (1 - 1e-9)};
+  const auto octant = press::press(small_case(e)).curve.points.back();
   EXPECT_NEAR(octant.force_N / hydrostatic.force_N, 1, 0.08);
-  EXPECT_NEAR(octant.force_x_N / octant.force_N, 1, 0.02);
-  EXPECT_NEAR(octant.force_y_N / octant.force_N, 1, 0.02);
+  EXPECT_NEAR(octant.side[0].force_N / octant.force_N, 1, 0.02);
+  EXPECT_NEAR(octant.side[1].force_N / octant.force_N, 1, 0.02);
 }
 
 TEST(Confined, HistoriesTurnAndPlanesMayBeAbsent) {
-  press::Case c = small_case("triaxial", 0);
-  c.delta_bar_z = {0.05, 0.05, 0.045};
-  c.delta_bar_x = {0, 0.04, 0.04};
-  c.delta_bar_max = press::path_length(c);
-  EXPECT_NEAR(c.delta_bar_max, 0.05 + 0.04 + 0.005, 1e-15);
-  const auto result = press::confined(c);
+  press::Triaxial e;
+  e.delta_bar_z = {0.05, 0.05, 0.045};
+  e.delta_bar_x = {0, 0.04, 0.04};
+  EXPECT_NEAR(press::path_length(e), 0.05 + 0.04 + 0.005, 1e-15);
+  const auto result = press::press(small_case(e));
   ASSERT_FALSE(result.failure) << *result.failure;
   double first_x = 0;
   for (const auto& p : result.curve.points) {
-    EXPECT_EQ(p.force_y_N, 0); // no planes along y
+    EXPECT_EQ(p.side[1].force_N, 0); // no planes along y
     EXPECT_EQ(p.cell_filling, 0);
-    if (p.delta_x_m == 0 && p.branch == press::Branch::loading) first_x = p.force_x_N;
+    if (p.side[0].delta_m == 0 && p.branch == press::Branch::loading) first_x = p.side[0].force_N;
   }
   const auto& end = result.curve.points.back();
-  EXPECT_GT(end.force_x_N, 5 * first_x);
+  EXPECT_GT(end.side[0].force_N, 5 * first_x);
   EXPECT_EQ(end.branch, press::Branch::unloading);
   double most = 0;
   for (const auto& p : result.curve.points) most = std::max(most, p.force_N);
@@ -97,10 +97,11 @@ TEST(Confined, HistoriesTurnAndPlanesMayBeAbsent) {
 }
 
 TEST(Confined, UnloadsToNothingAndLoadsAgain) {
-  press::Case c = small_case("die", 0.1);
-  c.unload_from = {0.1};
-  c.reload = true;
-  const auto result = press::confined(c);
+  press::Die e;
+  e.delta_bar_max = 0.1;
+  e.unload_from = {0.1};
+  e.reload = true;
+  const auto result = press::press(small_case(e));
   ASSERT_FALSE(result.failure);
   double top = 0, least = 1e9, again = 0, work = 0;
   for (const auto& p : result.curve.points) {
@@ -114,12 +115,13 @@ TEST(Confined, UnloadsToNothingAndLoadsAgain) {
 }
 
 TEST(Confined, CurveAndFieldsAreWhole) {
-  press::Case c = small_case("die", 0.05);
-  c.fields_at = {0.05};
-  const auto result = press::confined(c);
+  press::Die e;
+  e.delta_bar_max = 0.05;
+  e.fields_at = {0.05};
+  const auto result = press::press(small_case(e));
   const auto back = press::parse_curve(press::curve_csv(result.curve), "curve.csv", {});
   ASSERT_EQ(back.points.size(), result.curve.points.size());
-  EXPECT_EQ(back.points.back().force_x_N, result.curve.points.back().force_x_N);
+  EXPECT_EQ(back.points.back().side[0].force_N, result.curve.points.back().side[0].force_N);
   EXPECT_EQ(back.points.back().cell_filling, result.curve.points.back().cell_filling);
   ASSERT_EQ(result.spatial.size(), 1u);
   const std::string vtu = press::fields_vtu(result.spatial[0], 1);
@@ -131,10 +133,10 @@ TEST(Confined, CurveAndFieldsAreWhole) {
 }
 
 TEST(Confined, CellAndItsEnds) {
-  EXPECT_NEAR(press::zero_porosity("die"), 0.4764012, 1e-7);
-  EXPECT_NEAR(press::zero_porosity("hydrostatic"), 0.1940040, 1e-7);
-  EXPECT_NEAR(press::cell_volume({0, 0, press::zero_porosity("die")}), 1, 1e-12);
-  const double d = press::zero_porosity("hydrostatic");
+  EXPECT_NEAR(press::die_zero_porosity, 0.4764012, 1e-7);
+  EXPECT_NEAR(press::hydrostatic_zero_porosity(), 0.1940040, 1e-7);
+  EXPECT_NEAR(press::cell_volume({0, 0, press::die_zero_porosity}), 1, 1e-12);
+  const double d = press::hydrostatic_zero_porosity();
   EXPECT_NEAR(press::cell_volume({d, d, d}), 1, 1e-12);
 }
 

@@ -15,13 +15,11 @@ namespace {
 constexpr double radius_m = 2e-3;
 
 press::Result pressed(const material::Model& model, double delta_bar) {
-  press::Case c;
-  c.material = {"x", model};
-  c.radius_m = radius_m;
-  c.elements = 100;
-  c.delta_bar_max = delta_bar;
-  c.fields_at = {delta_bar};
-  return press::simple(c);
+  press::Simple e;
+  e.elements = 100;
+  e.delta_bar_max = delta_bar;
+  e.fields_at = {delta_bar};
+  return press::press({{"x", model}, radius_m, e});
 }
 
 /// The numbers of one array of the file.
@@ -100,7 +98,7 @@ TEST(FieldsVtu, AreNamedByTheirOverlap) {
   press::Snapshot s;
   s.delta_bar = 0.1;
   EXPECT_EQ(press::fields_name(s.delta_bar), "fields-0.1.vtu");
-  EXPECT_NE(press::fields_series({s}).find("<DataSet timestep=\"0.1\" part=\"0\" file=\"fields-0.1.vtu\"/>"),
+  EXPECT_NE(press::fields_series(std::vector{s}).find("<DataSet timestep=\"0.1\" part=\"0\" file=\"fields-0.1.vtu\"/>"),
             std::string::npos);
 }
 

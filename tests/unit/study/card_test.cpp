@@ -59,9 +59,9 @@ TEST_F(StudyCard, OfTableA1GivesThePrintedLambda) {
     // nu is printed to four digits, sigma_y to 0.01 MPa, which is 0.25 % of the least, 2.01 MPa
     EXPECT_NEAR(study::lambda_of(s.runs[i].press_case) / printed, 1, 3e-3) << "row " << i + 1;
   }
-  EXPECT_EQ(s.runs[0].press_case.experiment, "simple");
-  EXPECT_EQ(s.runs[17].press_case.experiment, "die");
-  EXPECT_EQ(s.runs[34].press_case.experiment, "hydrostatic");
+  EXPECT_EQ(name_of(s.runs[0].press_case.experiment), "simple");
+  EXPECT_EQ(name_of(s.runs[17].press_case.experiment), "die");
+  EXPECT_EQ(name_of(s.runs[34].press_case.experiment), "hydrostatic");
   EXPECT_EQ(material::initial_E(s.runs[0].press_case.material.model), 36961.79e6);
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "press/press.hpp"
 #include "study/random.hpp"
 #include "study/table.hpp"
 #include "study/work.hpp"
@@ -147,10 +148,10 @@ TEST_F(RunStore, WritesWhatTheFirstVersionRead) {
 
 TEST_F(RunStore, LeavesARunThatIsThereAsItIs) {
   const auto s = store();
-  press::Case c;
-  c.material = {"e", material::Elastic{1e9, 0.3}, {}};
-  c.delta_bar_max = 0.001;
-  c.elements = 40;
+  press::Simple e;
+  e.delta_bar_max = 0.001;
+  e.elements = 40;
+  const press::Case c{{"e", material::Elastic{1e9, 0.3}, {}}, 1e-3, e};
   const auto result = press::press(c);
   s.keep("key1", c, result, {1, 1});
   s.keep("key1", c, result, {2, 2});

@@ -12,10 +12,8 @@ TEST(BaseCase, LawAgreesWithTheCorrectedAppendix) {
   // regressions over 160 presses with R^2 = 0.98, 0.87, 0.71, so that k is told closely and the others
   // roughly.
   constexpr double k = 3.90, delta_t = 0.113, a = 3.65;
-  press::Case c;
-  c.material = {"base case",
-                material::Vmdc{0.7, 150e6, 15e9, 0.3, 150e6, 1.5e6, 0.7, 10, 7.5, 10, 10, 0.4, 1.5}};
-  const press::Result result = press::simple(c);
+  const press::Result result = press::press(
+      {{"base case", material::Vmdc{0.7, 150e6, 15e9, 0.3, 150e6, 1.5e6, 0.7, 10, 7.5, 10, 10, 0.4, 1.5}}});
   ASSERT_FALSE(result.failure) << *result.failure;
   const auto fitted = fit::fit_edmans_sinka(result.curve);
   std::printf("k %.3f, delta_t %.4f, a %.3f; relative L2 %.2f %%, e_p %.2f %%\n", fitted.k, fitted.delta_t,

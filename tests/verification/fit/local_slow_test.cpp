@@ -13,15 +13,15 @@
 using namespace platen;
 
 TEST(LocalPressSlow, OfAnElasticSphereIsHertzUpToFivePerCentOfTheRadius) {
-  const auto result = press::local(test::elastic_case(18000)); // a/R = 0.05
+  const auto result = press::press(test::elastic_case(test::to_force(18000))); // a/R = 0.05
   ASSERT_FALSE(result.failure) << *result.failure;
   EXPECT_GT(test::expect_hertz(result.curve), 60);
 }
 
 TEST(LocalPressSlow, OfAnElasticSphereFitsToTheElasticLimitOfWang) {
-  press::Case c = test::elastic_case(1200);
-  c.unload_from_N = {1200};
-  auto result = press::local(c);
+  press::Local e = test::to_force(1200);
+  e.unload_from_N = {1200};
+  auto result = press::press(test::elastic_case(e));
   ASSERT_FALSE(result.failure) << *result.failure;
   result.curve.phi_deg = 25; // any strength: it only sets the unit
   result.curve.sigma_c_Pa = 15e6;
@@ -47,17 +47,15 @@ TEST(LocalPressSlow, YieldsOnTheAxisWhereHertzsFieldReachesTheSurface) {
     rows.push_back({within(10e9, 30e9), within(0.1, 0.3), within(20, 40), within(5e6, 50e6)});
   for (const auto& [E, nu, phi_deg, sigma_c] : rows) {
     const auto yield = law::drucker_prager_yield(nu, phi_deg, sigma_c);
-    press::Case c;
-    c.experiment = "local";
     const double beta = material::DruckerPrager::beta_of_friction(phi_deg);
-    c.material = {"row", material::DruckerPrager{E, nu, beta, sigma_c, beta}};
-    c.radius_m = 0.1;
-    const double E_star = E / (1 - nu * nu), R = c.radius_m;
+    const material::Material row{"row", material::DruckerPrager{E, nu, beta, sigma_c, beta}};
+    const double E_star = E / (1 - nu * nu), R = 0.1;
     const double F_y = std::pow(std::numbers::pi * yield.p0, 3) * R * R / (6 * E_star * E_star);
     const double a_y = std::numbers::pi * yield.p0 / (2 * E_star);
-    c.force_max_N = 1.3 * F_y;
-    c.first_contact_bar = std::min(0.002, 0.5 * a_y);
-    const auto result = press::local(c);
+    press::Local e;
+    e.force_max_N = 1.3 * F_y;
+    e.first_contact_bar = std::min(0.002, 0.5 * a_y);
+    const auto result = press::press({row, R, e});
     ASSERT_FALSE(result.failure) << *result.failure;
     ASSERT_TRUE(result.axis);
     EXPECT_NEAR(result.axis->force_N / F_y, 1, 0.02) << "nu " << nu << " phi " << phi_deg;

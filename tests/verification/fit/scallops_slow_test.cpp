@@ -13,9 +13,7 @@ using namespace platen;
 namespace {
 
 void expect_smooth(const char* name, const material::Model& model) {
-  press::Case c;
-  c.material = {name, model};
-  const auto result = press::simple(c);
+  const auto result = press::press({{name, model}});
   ASSERT_FALSE(result.failure) << *result.failure;
   std::vector<double> x, y;
   for (const auto& row : result.curve.points) {

@@ -89,18 +89,17 @@ struct Table {
 Table unloaded(const std::vector<material::Material>& materials) {
   Table table;
   for (const auto& material : materials) {
-    press::Case c;
-    c.material = material;
-    c.elements = 1000;
-    c.unload_from = {0.1, 0.2, 0.3, 0.4};
+    press::Simple e;
+    e.elements = 1000;
+    e.unload_from = {0.1, 0.2, 0.3, 0.4};
     // Past 0.4 the force of this powder rises twentyfold, and between 0.45 and 0.5, with the mesh, the press
     // stops.
-    if (material.name == "Dical Emcompress") c.delta_bar_max = 0.4;
-    else c.unload_from.push_back(0.5);
-    const auto result = press::simple(c);
+    if (material.name == "Dical Emcompress") e.delta_bar_max = 0.4;
+    else e.unload_from.push_back(0.5);
+    const auto result = press::press({material, 1e-3, e});
     EXPECT_FALSE(result.failure) << material.name << ": " << *result.failure;
     const auto unloading = fit::fit_unloading(result.curve);
-    EXPECT_EQ(unloading.fits.size(), c.unload_from.size()) << material.name;
+    EXPECT_EQ(unloading.fits.size(), e.unload_from.size()) << material.name;
     std::printf("%s\n  delta_bar   alpha     beta   R2 in contact   from 0   work back/stored\n",
                 material.name.c_str());
     for (const auto& fit : unloading.fits) {

@@ -10,13 +10,14 @@
 
 namespace platen::test {
 
-inline press::Case elastic_case(double force_max_N) {
-  press::Case c;
-  c.experiment = "local";
-  c.material = {"elastic", material::Elastic{10e9, 0.3}};
-  c.radius_m = 0.1;
-  c.force_max_N = force_max_N;
-  return c;
+inline press::Case elastic_case(const press::Local& e) {
+  return {{"elastic", material::Elastic{10e9, 0.3}}, 0.1, e};
+}
+
+inline press::Local to_force(double force_max_N) {
+  press::Local e;
+  e.force_max_N = force_max_N;
+  return e;
 }
 
 /// Radius, peak pressure and approach of the loading branch within 0.5 % of Hertz where a/R >= 0.002; returns

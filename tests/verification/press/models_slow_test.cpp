@@ -13,10 +13,9 @@ using namespace platen;
 namespace {
 
 press::Case case_of(const std::string& name, const material::Model& model) {
-  press::Case c;
-  c.material = {name, model};
-  c.elements = 1000;
-  return c;
+  press::Simple e;
+  e.elements = 1000;
+  return {{name, model}, 1e-3, e};
 }
 
 /// The balance of work, energy and dissipation of a press that ended as it should.
@@ -38,7 +37,7 @@ TEST(EveryModel, OfTheCornerMaterialsRunsOrComesToALimitLoadThatItNames) {
           char name[100];
           std::snprintf(name, sizeof name, "%s E %g Gamma %g Lambda %g", surface, E_bar, Gamma_bar,
                         Lambda_bar);
-          const auto result = press::simple(case_of(name, material::run_as(corner, surface)));
+          const auto result = press::press(case_of(name, material::run_as(corner, surface)));
           if (!result.failure) {
             expect_balance(result, name);
             continue;
@@ -61,7 +60,7 @@ TEST(EveryModel, OfTheOtherPapersRunsToHalfTheRadius) {
   for (const char* card : {"lead-ludwik", "lead-hollomon", "sandstone-wang-3-3", "sandstone-wang-3-4",
                            "sandstone-wang-3-4-von-mises", "sandstone-wang-3-4-mohr-coulomb", "wang-type-1",
                            "wang-type-2", "mcc-ph-102-at-half", "starch-1500-at-half"}) {
-    const auto result = press::simple(case_of(card, material::read_card(card).material.model));
+    const auto result = press::press(case_of(card, material::read_card(card).material.model));
     ASSERT_FALSE(result.failure) << card << ": " << *result.failure;
     EXPECT_NEAR(result.curve.points.back().delta_bar, 0.5, 1e-12);
     expect_balance(result, card);

@@ -14,19 +14,25 @@ namespace {
 
 /// Loads to a tenth of the radius, then goes on in small steps, which cross few kinks.
 void expect_quadratic(const material::Model& model) {
-  press::Case c;
-  c.material = {"", model};
-  press::SphereRun run(c, {.relative_residual_tolerance = 1e-12});
+  const press::Simple e;
+  auto plan = press::plan(e);
+  plan.newton.relative_residual_tolerance = 1e-12;
+  press::Stepper<fe::Quad> stepper(model, 1e-3, std::move(plan));
+  auto state = stepper.at_rest();
+  const auto advance = [&](double by) {
+    auto next = stepper(state, state.time + by);
+    if (next.report.converged()) state = std::move(next.state);
+    return next.report;
+  };
   double step = 1e-4;
-  while (run.delta_bar() < 0.1) {
-    const bool converged = run.advance(run.delta_bar() + step).converged;
-    step = converged ? std::min(1.5 * step, c.step_max) : step / 2;
+  while (state.time < 0.1) {
+    step = advance(step).converged() ? std::min(1.5 * step, e.step_max) : step / 2;
     ASSERT_GT(step, 1e-7);
   }
   constexpr int steps = 100;
   int smooth = 0, quadratic = 0;
   for (int i = 0; i < steps; ++i) { // uneven, or the continued motion would be too near for two iterations
-    const fe::StepReport report = run.advance(run.delta_bar() + (i % 2 == 0 ? 0.8e-5 : 1.6e-5));
+    const fe::StepReport report = advance(i % 2 == 0 ? 0.8e-5 : 1.6e-5);
     smooth += report.smooth();
     quadratic += report.quadratic();
   }

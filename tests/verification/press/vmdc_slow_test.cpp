@@ -20,13 +20,13 @@ const material::Material mcc_ph_200{
                                  6.11, 5.25, 5.43, 6.28, 0.443, 2.007}};
 const material::Material metal{"von Mises", material::VonMises{100e6, 0.3, 1e6}};
 
-press::Result pressed(const material::Material& material, int elements = 5000, double step_max = 0.005) {
-  press::Case c;
-  c.material = material;
-  c.elements = elements;
-  c.step_max = step_max;
-  c.fields_at = {0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5};
-  press::Result result = press::simple(c);
+press::Result pressed(const material::Material& material, int elements = press::Simple{}.elements,
+                      double step_max = 0.005) {
+  press::Simple e;
+  e.elements = elements;
+  e.step_max = step_max;
+  e.fields_at = {0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5};
+  press::Result result = press::press({material, 1e-3, e});
   EXPECT_FALSE(result.failure) << *result.failure;
   return result;
 }

@@ -29,10 +29,10 @@ TEST(SimplePress, VonMisesAgreesWithCalculiX) {
   constexpr double table[][3] = {{0.02, 0.0791, 0.185}, {0.05, 0.2231, 0.310}, {0.1, 0.4292, 0.444},
                                  {0.2, 0.611, 0.597},   {0.3, 0.749, 0.711},   {0.4, 0.939, 0.834},
                                  {0.5, 1.175, 0.981}};
-  press::Case c;
-  c.material = {"von Mises", material::VonMises{100e6, 0.3, 1e6}};
-  for (const auto& reference : table) c.fields_at.push_back(reference[0]);
-  const press::Result result = press::simple(c);
+  press::Simple e;
+  for (const auto& reference : table) e.fields_at.push_back(reference[0]);
+  const press::Case c{{"von Mises", material::VonMises{100e6, 0.3, 1e6}}, 1e-3, e};
+  const press::Result result = press::press(c);
   ASSERT_FALSE(result.failure) << *result.failure;
   for (const auto& [delta_bar, F_bar, radius] : table) {
     const press::CurvePoint& row = row_at(result.curve, delta_bar);
@@ -46,10 +46,10 @@ TEST(SimplePress, VonMisesAgreesWithCalculiX) {
 TEST(SimplePress, ElasticSphereIsHertzWithTheStiffnessOfAFiniteSphere) {
   // F = F_Hertz (1 + 0.55 sqrt(delta_bar)) for nu = 0.3 (a finite sphere is stiffer than a half-space:
   // Tatara); a = sqrt(R delta).
-  press::Case c;
-  c.material = {"elastic", material::Elastic{1e9, 0.3}};
-  c.delta_bar_max = 0.005;
-  const press::Result result = press::simple(c);
+  press::Simple e;
+  e.delta_bar_max = 0.005;
+  const press::Case c{{"elastic", material::Elastic{1e9, 0.3}}, 1e-3, e};
+  const press::Result result = press::press(c);
   ASSERT_FALSE(result.failure) << *result.failure;
   int compared = 0;
   double worst_force = 0, worst_radius = 0;
