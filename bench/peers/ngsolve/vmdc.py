@@ -50,7 +50,7 @@ def returned(k, theta):
     w_plateau = Gamma * exp(v) / (3 * G)
     # caps: s p = P + c sin t, q = Gamma cos t; what is left of the strain is along the normal
     t = atan2(over, q / Gamma)
-    for _ in range(8):
+    for _ in range(5):
         sn, cs = sin(t), cos(t)
         x_ = (P + c * sn) / K
         xs = s * x_
