@@ -114,12 +114,10 @@ def newton(limit=20):
             t *= 0.5
             if t < 1e-3: return None
         norm = n2
-        if a_verbose: print("   ", it, t, norm, flush=True)
         if norm < 1e-5 * max(forces()[0], 1e-6): return it + 1
     return None
 
 
-a_verbose = False
 old, older = gf.vec.CreateVector(), gf.vec.CreateVector()
 old[:] = 0; older[:] = 0
 d, last, cut, steps, its, start, rows = 0.0, None, 1.0, 0, 0, time.time(), []
