@@ -171,20 +171,23 @@ std::vector<FacePressure> Contact<Mesh>::pressures(int k, std::span<const double
   for (const int f : plane.faces) {
     const auto& face = surface.faces[f];
     FacePressure p{f, 0, 0, 0, 0};
-    double force = 0, whole = 0;
+    double force = 0, whole = 0, inner_gap = 0, inner_r = 0;
     for (int i = 0; i < Surface<Mesh>::points; ++i, ++point) {
       const double distance = gap(plane, *point, f, i, u, height), area = face.point[i].area;
       whole += area;
+      if constexpr (dim == 2) {
+        double r = face.point[i].X[0];
+        for (int a = 0; a < 2; ++a) r += face.point[i].N[a] * u[dim * face.node[a]];
+        if (distance < 0) p.reach = r;
+        else if (i > 0 && inner_gap < 0) p.reach = inner_r + (r - inner_r) * inner_gap / (inner_gap - distance);
+        inner_gap = distance;
+        inner_r = r;
+      }
       if (!(distance < 0)) continue;
       p.touching += area;
       const double stiff = stiffness(*point, area, memory);
       force -= stiff * distance;
       p.energy += stiff * distance * distance / 2;
-      if constexpr (dim == 2) {
-        double r = face.point[i].X[0];
-        for (int a = 0; a < 2; ++a) r += face.point[i].N[a] * u[dim * face.node[a]];
-        p.reach = std::max(p.reach, r);
-      }
     }
     p.touching /= whole;
     if constexpr (dim == 2) {
@@ -220,14 +223,15 @@ ContactPatch Contact<Mesh>::patch(int k, std::span<const double> u, double heigh
   return c;
 }
 
-/// Of rings. Towards the contact edge p falls as sqrt(a^2 - r^2), so the force outside r as (a^2 - r^2)^{3/2}.
+/// Of rings: where the surface leaves the plane. (To extrapolate the pressure to zero instead takes for granted
+/// that it falls as Hertz's; under a plastic contact it ends abruptly.)
 template <> double Contact<SectionMesh>::area_of(const std::vector<FacePressure>& rings) const {
   const int n = static_cast<int>(rings.size());
   const FacePressure& last = rings.back();
-  const double reach = last.reach * last.reach;
-  double square = reach;
-  // Of contacts of few edges a follows from the forces outside two radii. Single edges near the contact edge
-  // will not do: their pressure depends on how it cuts them.
+  double square = last.reach * last.reach;
+  // Of small, nearly elastic contacts: towards the edge p falls as sqrt(a^2 - r^2), so the force outside r as
+  // (a^2 - r^2)^{3/2}, and a follows from the forces outside two radii. Single edges near the contact edge will
+  // not do: their pressure depends on how it cuts them.
   constexpr int outer = 4, inner = 9; // edges
   if (rule.uniform && n >= inner) {
     double force = 0, outer_force = 0;
@@ -237,19 +241,10 @@ template <> double Contact<SectionMesh>::area_of(const std::vector<FacePressure>
     }
     const double ratio = std::pow(force / outer_force, 2.0 / 3);
     square = (ratio * std::pow(rings[n - outer].inner, 2) - std::pow(rings[n - inner].inner, 2)) / (ratio - 1);
-    const double least = rings[n - 2].inner, most = 2 * last.outer - last.inner;
-    return std::numbers::pi * std::clamp(square, least * least, std::max(most * most, least * least));
+    const double least = rings[n - 2].inner, most = std::max(2 * last.outer - last.inner, least);
+    square = std::clamp(square, least * least, most * most);
   }
-  if (n >= 2) { // under the outermost edges: extrapolate p^2 over r^2 from their middles
-    const auto middle = [](const FacePressure& f) { return (f.inner * f.inner + f.outer * f.outer) / 2; };
-    const FacePressure& before = rings[n - 2];
-    const double fall = before.pressure * before.pressure - last.pressure * last.pressure;
-    square = fall > 0 ? middle(last) + last.pressure * last.pressure * (middle(last) - middle(before)) / fall
-                      : 1e300;
-  }
-  // But not beyond the middle of the first free edge.
-  const double most = std::pow(1.5 * last.outer - 0.5 * last.inner, 2);
-  return std::numbers::pi * std::clamp(square, reach, std::max(most, reach));
+  return std::numbers::pi * square;
 }
 
 // Of faces. The area is not that of the faces in contact: a face across the contact edge is tilted, lies on

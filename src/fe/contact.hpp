@@ -54,12 +54,12 @@ struct ContactPatch {
 /// The contact of one edge (its ring) or face with a plane.
 struct FacePressure {
   int face;
-  double pressure;         ///< mean (Pa)
-  double area;             ///< as it lies now (R0^2)
-  double energy;           ///< of the penetration (R0^3 Pa)
-  double touching;         ///< share of it that penetrates
-  double inner = 0, outer = 0; ///< of a ring: its radii now, and the radius of the last point that touches (R0)
-  double reach = 0;
+  double pressure; ///< mean (Pa)
+  double area;     ///< as it lies now (R0^2)
+  double energy;   ///< of the penetration (R0^3 Pa)
+  double touching; ///< share of it that penetrates
+  double inner = 0, outer = 0; ///< of a ring: its radii now (R0)
+  double reach = 0;            ///< of a ring: where it leaves the plane, or its last point if nowhere (R0)
 };
 
 template <class Mesh> class Contact {

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <queue>
 
 namespace platen::press {
@@ -19,17 +18,13 @@ constexpr int edges_left_out = 2;
 constexpr double beside = 1.4;
 /// The zone under the contact is what flows at least this deep, in contact radii.
 constexpr double core_depth = 0.25;
-constexpr double degree = std::numbers::pi / 180;
 
 struct Strength {
   using Pair = std::pair<double, double>;
   Pair operator()(const material::VonMises& m) const {
     return {0, std::holds_alternative<material::PerfectlyPlastic>(m.hardening) ? m.sigma_y : 0};
   }
-  Pair operator()(const material::DruckerPrager& m) const {
-    const double tan_beta = std::tan(m.beta_deg * degree);
-    return {std::asin(3 * tan_beta / (6 + tan_beta)) / degree, m.sigma_c};
-  }
+  Pair operator()(const material::DruckerPrager& m) const { return {m.friction_deg(), m.sigma_c}; }
   Pair operator()(const material::MohrCoulomb& m) const { return {m.phi_deg, m.reference_stress()}; }
   Pair operator()(const auto&) const { return {0, 0}; }
 };
