@@ -121,20 +121,23 @@ PLATEN_VECTOR_CLONES
 void Hexahedron::tangent(const Shape& s, const Kinematics& moved, const material::PointUpdate* updates,
                          double two_G_added, double* K) {
   const double J_bar = moved.J_bar, v = J_bar * s.whole_volume;
-  double b[24] = {}, left[24] = {}, right[24] = {}, both = 0, P = 0;
+  // Unknowns component by component, so that the nodes lie side by side; sorted by nodes at the end.
+  double by_component[24][24] = {}, b[24] = {}, left[24] = {}, right[24] = {}, both = 0, P = 0;
   for (int g = 0; g < 8; ++g) {
     const Kinematics::Point& k = moved.point[g];
     const double dv = s.volume[g] * k.J / v;
     for (int a = 0; a < 8; ++a)
-      for (int i = 0; i < 3; ++i) b[3 * a + i] += dv * k.grad[a][i];
+      for (int i = 0; i < 3; ++i) b[8 * i + a] += dv * k.grad[a][i];
     const auto& sigma = updates[g].sigma;
     P += s.volume[g] * J_bar * (sigma[0] + sigma[1] + sigma[2]) / 3;
   }
-  std::fill(K, K + 24 * 24, 0.0);
   for (int g = 0; g < 8; ++g) {
     const Kinematics::Point& k = moved.point[g];
     const material::PointUpdate& point = updates[g];
     const double w = s.volume[g];
+    double along[3][8]; // the gradients
+    for (int a = 0; a < 8; ++a)
+      for (int i = 0; i < 3; ++i) along[i][a] = k.grad[a][i];
     double tau[3], C[3][3], row[3] = {}, column[3] = {}, sum = 0;
     const double stiffer = point.zone == material::Zone::elastic ? 0 : two_G_added;
     for (int A = 0; A < 3; ++A) {
@@ -187,27 +190,30 @@ void Hexahedron::tangent(const Shape& s, const Kinematics& moved, const material
                      R = compose({column[0] - sum, column[1] - sum, column[2] - sum}, k.b.axis);
     double half[9][24]; // T with the first l put in
     for (int x = 0; x < 9; ++x)
-      for (int a = 0; a < 8; ++a)
-        for (int i = 0; i < 3; ++i)
-          half[x][3 * a + i] =
-              T[x][3 * i] * k.grad[a][0] + T[x][3 * i + 1] * k.grad[a][1] + T[x][3 * i + 2] * k.grad[a][2];
-    for (int a = 0; a < 8; ++a) {
-      const auto& n = k.grad[a];
-      left[3 * a] += L[0] * n[0] + L[3] * n[1] + L[5] * n[2];
-      left[3 * a + 1] += L[3] * n[0] + L[1] * n[1] + L[4] * n[2];
-      left[3 * a + 2] += L[5] * n[0] + L[4] * n[1] + L[2] * n[2];
-      right[3 * a] += R[0] * n[0] + R[3] * n[1] + R[5] * n[2];
-      right[3 * a + 1] += R[3] * n[0] + R[1] * n[1] + R[4] * n[2];
-      right[3 * a + 2] += R[5] * n[0] + R[4] * n[1] + R[2] * n[2];
-      for (int c = 0; c < 3; ++c) {
-        double* into = K + 24 * (3 * a + c);
-        const double *x = half[3 * c], *y = half[3 * c + 1], *z = half[3 * c + 2];
-        for (int i = 0; i < 24; ++i) into[i] += n[0] * x[i] + n[1] * y[i] + n[2] * z[i];
+      for (int i = 0; i < 3; ++i)
+        for (int a = 0; a < 8; ++a)
+          half[x][8 * i + a] = T[x][3 * i] * along[0][a] + T[x][3 * i + 1] * along[1][a] + T[x][3 * i + 2] * along[2][a];
+    constexpr int of[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}}; // components of a symmetric tensor
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        for (int a = 0; a < 8; ++a) {
+          left[8 * i + a] += L[of[i][j]] * along[j][a];
+          right[8 * i + a] += R[of[i][j]] * along[j][a];
+        }
+    for (int c = 0; c < 3; ++c)
+      for (int a = 0; a < 8; ++a) {
+        const double n0 = along[0][a], n1 = along[1][a], n2 = along[2][a];
+        for (int i = 0; i < 24; ++i)
+          by_component[8 * c + a][i] += n0 * half[3 * c][i] + n1 * half[3 * c + 1][i] + n2 * half[3 * c + 2][i];
       }
-    }
   }
   for (int j = 0; j < 24; ++j)
-    for (int i = 0; i < 24; ++i) K[24 * j + i] += left[i] * b[j] + b[i] * (right[j] + (both - P) * b[j]);
+    for (int i = 0; i < 24; ++i)
+      by_component[j][i] += left[i] * b[j] + b[i] * (right[j] + (both - P) * b[j]);
+  for (int d = 0; d < 3; ++d)
+    for (int c = 0; c < 8; ++c)
+      for (int i = 0; i < 3; ++i)
+        for (int a = 0; a < 8; ++a) K[24 * (3 * c + d) + 3 * a + i] = by_component[8 * d + c][8 * i + a];
 }
 
 Hexahedron::State Hexahedron::updated(const Kinematics& moved, int g, const material::PointUpdate& update) {
