@@ -12,16 +12,14 @@ if(PLATEN_SANITIZE)
   target_link_options(platen_flags INTERFACE -fsanitize=address,undefined)
 endif()
 
-# platen_precompile(TARGET): what nearly every file includes is compiled once, with platen_core. This saves time and nothing
-# else; every file still includes what it uses, and compiles with CMAKE_DISABLE_PRECOMPILE_HEADERS=ON.
-function(platen_precompile target)
-  if(target STREQUAL "platen_core")
-    target_precompile_headers(platen_core PRIVATE <fmt/format.h> <fmt/ranges.h> <algorithm> <array> <chrono> <cmath>
-                              <filesystem> <functional> <map> <memory> <numeric> <optional> <span> <string> <variant>
-                              <vector>)
-  else()
-    target_precompile_headers(${target} REUSE_FROM platen_core)
-  endif()
+# platen_precompiled(NAME LIBRARY HEADERS...): headers compiled once, for other targets to REUSE_FROM. This saves time and
+# nothing else: every file still includes what it uses, and compiles with CMAKE_DISABLE_PRECOMPILE_HEADERS=ON. They have a
+# target of their own, because GCC refuses them (-Winvalid-pch) where a macro that they were compiled with is missing.
+function(platen_precompiled name library)
+  file(CONFIGURE OUTPUT ${name}.cpp CONTENT "")
+  add_library(${name} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+  target_link_libraries(${name} PRIVATE ${library} platen_flags)
+  target_precompile_headers(${name} PRIVATE ${ARGN})
 endfunction()
 
 # platen_folder(NAME [folders and libraries it stands on...]): src/NAME/*.cpp as target platen::NAME.
@@ -31,7 +29,7 @@ function(platen_folder name)
   add_library(platen::${name} ALIAS platen_${name})
   target_include_directories(platen_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(platen_${name} PUBLIC ${ARGN} PRIVATE platen_flags)
-  platen_precompile(platen_${name})
+  target_precompile_headers(platen_${name} REUSE_FROM platen_headers)
 endfunction()
 
 add_custom_target(unit_tests) # builds all quick unit tests, for runs that need nothing else
@@ -51,11 +49,7 @@ function(platen_tests tier folder)
       endif()
       add_executable(${program} ${${kind}})
       target_link_libraries(${program} PRIVATE ${ARGN} GTest::gtest_main platen_flags)
-      if(program STREQUAL "unit_law") # the first; the others take what it compiled
-        target_precompile_headers(${program} PRIVATE <gtest/gtest.h>)
-      else()
-        target_precompile_headers(${program} REUSE_FROM unit_law)
-      endif()
+      target_precompile_headers(${program} REUSE_FROM platen_test_headers)
       target_compile_definitions(${program} PRIVATE PLATEN_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
       if(tier STREQUAL "unit" AND kind STREQUAL "quick")
         add_dependencies(unit_tests ${program})
