@@ -109,18 +109,20 @@ template <class Mesh> void expect_tangent_of_the_forces(const Pressed<Mesh>& p) 
 }
 
 template <class Mesh> void expect_nothing_without_touch(Pressed<Mesh> p) {
+  // Flat faces of so coarse a mesh stand out of the sphere by up to 0.003.
+  constexpr double height = 1.005;
   const std::vector<double> still(p.u.size());
-  std::fill(p.heights.begin(), p.heights.end(), 1.001);
+  std::fill(p.heights.begin(), p.heights.end(), height);
   std::vector<char> touching;
   EXPECT_EQ(largest(p.forces(still, &touching)), 0);
   EXPECT_EQ(std::count(touching.begin(), touching.end(), 1), 0);
   for (int k = 0; k < p.contact.planes(); ++k) {
-    const auto patch = p.contact.patch(k, still, 1.001, p.memory);
+    const auto patch = p.contact.patch(k, still, height, p.memory);
     EXPECT_EQ(patch.force, 0);
     EXPECT_EQ(patch.radius, 0);
     EXPECT_EQ(patch.energy, 0);
-    EXPECT_TRUE(p.contact.pressures(k, still, 1.001, p.memory).empty());
-    EXPECT_TRUE(p.contact.nodes_touching(k, still, 1.001).empty());
+    EXPECT_TRUE(p.contact.pressures(k, still, height, p.memory).empty());
+    EXPECT_TRUE(p.contact.nodes_touching(k, still, height).empty());
   }
 }
 

@@ -54,7 +54,8 @@ TEST(Dissection, ExchangesRowsWhereAPivotIsZero) {
   std::vector<double> x{2, 3}; // [0 1; 1 0]
   ASSERT_TRUE(solver.factorise(std::vector<double>{0, 1, 1, 0}));
   solver.solve(x);
-  EXPECT_EQ(x, (std::vector{3.0, 2.0}));
+  EXPECT_NEAR(x[0], 3, single);
+  EXPECT_NEAR(x[1], 2, single);
 }
 
 TEST(Dissection, SaysThatAMatrixIsSingular) {

@@ -9,7 +9,7 @@ using fe::LaggedSolver, fe::Outcome;
 
 namespace {
 
-const test::Elements mesh = test::block(9, 5, 0, 2);
+const test::Elements mesh = test::block(16, 12, 0, 2);
 const std::vector<double> b = test::random_vector(mesh.unknowns, 7);
 
 LaggedSolver new_solver() { return {mesh.unknowns, mesh.lists, mesh.middles}; }
@@ -46,7 +46,7 @@ TEST(LaggedSolver, SolvesToTheToleranceWithStaleFactors) {
 
 TEST(LaggedSolver, FactorisesWhereTheOldFactorsAreOfNoUse) {
   auto solver = new_solver();
-  const auto first = test::matrices(mesh, true, 1, 5), other = test::matrices(mesh, false, 6, 6);
+  const auto first = test::matrices(mesh, true, 1, 5), other = test::matrices(mesh, false, 3, 1000);
   auto x = b;
   ASSERT_EQ(solver.matrix(first), Outcome::done);
   ASSERT_EQ(solver.solve(x, 1e-5), Outcome::done);

@@ -47,8 +47,10 @@ template <fe::Element E> void expect_same(const press::State<E>& a, const press:
     ASSERT_EQ(p.state, q.state);
     ASSERT_EQ(p.start, q.start);
     ASSERT_EQ(p.direction, q.direction);
-    ASSERT_EQ(std::array({p.start_time, p.ahead_dv, p.ahead_dw, p.dv, p.dw, p.elastic.eps_v, p.elastic.eps_q}),
-              std::array({q.start_time, q.ahead_dv, q.ahead_dw, q.dv, q.dw, q.elastic.eps_v, q.elastic.eps_q}));
+    const auto numbers = [](const press::PointFlow<E>& f) {
+      return std::array{f.start_time, f.ahead_dv, f.ahead_dw, f.dv, f.dw, f.elastic.eps_v, f.elastic.eps_q};
+    };
+    ASSERT_EQ(numbers(p), numbers(q));
     ASSERT_EQ(p.flows, q.flows);
     ASSERT_EQ(p.steady, q.steady);
   }
