@@ -2,7 +2,8 @@
 
 add_library(platen_flags INTERFACE)
 target_compile_options(platen_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow
-                                                $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>) # false alarms on std::string in GCC 12
+                                                $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-stringop-overflow
+                                                -Wno-array-bounds -Wno-maybe-uninitialized>) # false alarms of GCC 12 on std::string
 if(PLATEN_WARNINGS_AS_ERRORS)
   target_compile_options(platen_flags INTERFACE -Werror)
 endif()

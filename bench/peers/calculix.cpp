@@ -72,7 +72,8 @@ std::string calculix_deck(const fe::SectionMesh& mesh, const PressOfPeer& press)
   }
   deck += fmt::format("*ELEMENT, TYPE=CAX4, ELSET=TOOL\n{}, {}, {}, {}, {}\n", quads + 1, n + 1, n + 2, n + 3,
                       n + 4);
-  deck += "*NSET, NSET=AXIS\n" + id_list(mesh.mirrors[0].nodes) + "*NSET, NSET=EQUATOR\n" + id_list(mesh.mirrors[1].nodes);
+  deck += "*NSET, NSET=AXIS\n" + id_list(mesh.mirrors[0].nodes) + "*NSET, NSET=EQUATOR\n" +
+          id_list(mesh.mirrors[1].nodes);
 
   // The element edges on the sphere: S1 joins the first and second node, S2 the second and third, ...
   std::vector<char> on_sphere(n, 0);

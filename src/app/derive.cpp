@@ -27,7 +27,7 @@ struct Options {
   double radius_m = press::Case{}.radius_m;
   std::optional<double> delta_bar_max, force_max_N;
   std::vector<std::string> simple_only; ///< options given that the local press does not have
-  bool json = false;
+  bool json = false, estimate_error = false;
 };
 
 /// Where the zone map looks: early, in the middle, at the end.
@@ -67,11 +67,15 @@ void derive_simple(const Options& o, const material::Material& material) {
   press::validate(c);
 
   const OutputFolder folder(o.folder);
-  const press::Result result = press_into(c, folder, Fields::pictures).result;
+  const press::Result result = press_into(c, folder, Fields::pictures, o.estimate_error).result;
   print_flags(result);
   const FittedLaw law = fit_law(result.curve, o.variant);
-  core::write_file(folder / "law.toml", text_of(fit::law_card(result.curve, law.loading, law.unloading,
-                                                              press::curve_csv(result.curve))));
+  fit::LawCard card = fit::law_card(result.curve, law.loading, law.unloading, press::curve_csv(result.curve));
+  if (result.error) {
+    card.errors.emplace_back("press_force", result.error->force);
+    card.errors.emplace_back("press_radius", result.error->radius);
+  }
+  core::write_file(folder / "law.toml", text_of(card));
   draw_fit(result.curve, law, folder / "curve.svg");
   if (o.json) {
     fmt::print("{}", fit_json(result.curve, law));
@@ -96,8 +100,7 @@ void derive(const Options& o) {
   if (o.law == "edmans-sinka") return derive_simple(o, material);
   if (!o.simple_only.empty())
     throw core::InvalidInput(fmt::format("{} is not for --law wang", fmt::join(o.simple_only, ", ")));
-  derive_local(
-      {material, o.folder, o.radius_m, o.delta_bar_max, o.force_max_N, o.unload_from, o.json});
+  derive_local({material, o.folder, o.radius_m, o.delta_bar_max, o.force_max_N, o.unload_from, o.json});
 }
 
 } // namespace
@@ -134,6 +137,9 @@ void add_derive(Command program) {
   auto elements = command.add_option("--elements", o->experiment.elements, "wanted number of elements")
                       .type_name("NUMBER")
                       .capture_default_str();
+  command.add_flag(
+      "--estimate-error", o->estimate_error,
+      "press on half as many elements too; the law card says how far the press is from the limit");
   command.add_flag("--json", o->json, "for a machine to read");
   command.footer("Example: platen derive mcc-ph-200 -o out/mcc\n"
                  "         platen derive wang-type-1 --law wang --radius_m 0.1 -o out/sand");

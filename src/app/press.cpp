@@ -14,7 +14,7 @@ namespace {
 
 struct Options {
   std::string card, folder = "out", model;
-  bool json = false, keys = false;
+  bool json = false, keys = false, estimate_error = false;
 };
 
 void press(const Options& options) {
@@ -25,7 +25,7 @@ void press(const Options& options) {
   auto c = press::read_case(options.card);
   if (!options.model.empty()) c.material.model = material::run_as(c.material.model, options.model);
   const OutputFolder folder(options.folder);
-  const auto [result, summary] = press_into(c, folder, Fields::pictures_and_vtu);
+  const auto [result, summary] = press_into(c, folder, Fields::pictures_and_vtu, options.estimate_error);
   print_flags(result);
   if (options.json) {
     fmt::print("{}", summary);
@@ -36,11 +36,11 @@ void press(const Options& options) {
       "{}: {} points, loaded to delta_bar = {:.4g}, F_bar = {:.4g} (F = {:.4g} N), contact radius {:.4g} "
       "R, in {:.1f} s\n"
       "{}\n"
-      "{}"
+      "{}{}"
       "results in {}\n",
       c.material.name, result.curve.points.size(), last.delta_bar, last.F_bar, last.force_N,
       last.contact_radius_m / c.radius_m, result.statistics.total_s,
-      press::tension_words(result.curve, c.material.tensile_strength),
+      press::tension_words(result.curve, c.material.tensile_strength), error_words(result),
       press::is_confined(c.experiment) ? press::regimes_words(press::regimes(result.curve)) : "",
       folder.path().string());
 }
@@ -57,6 +57,8 @@ void add_press(Command program) {
       .add_option("--model", options->model,
                   "run a vmdc or dpc card as vmdc, dpc, dpc-published or von-mises")
       .type_name("NAME");
+  command.add_flag("--estimate-error", options->estimate_error,
+                   "press on half as many elements too, and say how far force and radius are from the limit");
   command.add_flag("--json", options->json, "print the summary for a machine to read");
   auto keys = command.add_flag("--keys", options->keys, "every key of a case card, as Markdown");
   keys.excludes(card);

@@ -10,10 +10,11 @@
 #include "plot/local_picture.hpp"
 #include "plot/zone_map.hpp"
 #include "press/case_card.hpp"
-#include "press/curve_csv.hpp"
 #include "press/confined.hpp"
-#include "press/press.hpp"
+#include "press/curve_csv.hpp"
+#include "press/estimate.hpp"
 #include "press/fields_vtu.hpp"
+#include "press/press.hpp"
 #include "press/summary.hpp"
 
 #include <fmt/format.h>
@@ -84,7 +85,8 @@ Pressed written(const press::Case& c, press::Result result, const OutputFolder& 
   return pressed;
 }
 
-Pressed press_and_write(const press::Case& c, const OutputFolder& folder, Fields fields) {
+Pressed press_and_write(const press::Case& c, const OutputFolder& folder, Fields fields,
+                        bool estimate_error) {
   core::Progress progress(fmt::format("pressing {}", c.material.name));
   const bool by_force = std::holds_alternative<press::Local>(c.experiment);
   auto result = press::press(c, [&](double fraction, const press::CurvePoint& point) {
@@ -92,13 +94,21 @@ Pressed press_and_write(const press::Case& c, const OutputFolder& folder, Fields
                                      : fmt::format("delta_bar = {:.3f}", point.delta_bar));
     return !core::interrupted();
   });
+  if (estimate_error && !result.failure && !result.interrupted) {
+    core::Progress again(fmt::format("pressing {} on a coarser mesh", c.material.name));
+    result.error = press::estimate_error(c, result, [&](double fraction, const press::CurvePoint&) {
+      again.show(fraction, "");
+      return !core::interrupted();
+    });
+    result.interrupted = core::interrupted();
+  }
   return written(c, std::move(result), folder, fields);
 }
 
 } // namespace
 
-Pressed press_into(const press::Case& c, const OutputFolder& folder, Fields fields) {
-  Pressed pressed = press_and_write(c, folder, fields);
+Pressed press_into(const press::Case& c, const OutputFolder& folder, Fields fields, bool estimate_error) {
+  Pressed pressed = press_and_write(c, folder, fields, estimate_error);
   const press::Result& result = pressed.result;
   const press::CurvePoint* end = press::loading_end(result.curve);
   const double reached = end ? end->delta_bar : 0;
@@ -113,6 +123,15 @@ Pressed press_into(const press::Case& c, const OutputFolder& folder, Fields fiel
     throw core::Interrupted(fmt::format("stopped as asked; the curve up to delta_bar = {:.4g} is in {}",
                                         reached, (folder / "curve.csv").string()));
   return pressed;
+}
+
+std::string error_words(const press::Result& result) {
+  if (!result.error) return "";
+  return fmt::format(
+      "within about {:.2g} % in force and {:.2g} % in contact radius of the limit of fine meshes "
+      "({} against {} elements)\n",
+      100 * result.error->force, 100 * result.error->radius, result.error->elements,
+      result.error->coarse_elements);
 }
 
 void print_flags(const press::Result& result) {

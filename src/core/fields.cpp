@@ -146,10 +146,10 @@ void check_value(const FieldInfo& field, const FieldValue& value, std::string_vi
   if (const auto* x = std::get_if<double>(&value)) numbers = {*x};
   if (const auto* i = std::get_if<int>(&value)) numbers = {static_cast<double>(*i)};
   if (const auto* list = std::get_if<std::vector<double>>(&value)) numbers = *list;
-  const bool admitted = std::all_of(numbers.begin(), numbers.end(), [&](double x) {
-    return std::isfinite(x) && field.allowed.contains(x);
-  });
-  const bool grows = std::adjacent_find(numbers.begin(), numbers.end(), std::greater_equal<>()) == numbers.end();
+  const bool admitted = std::all_of(numbers.begin(), numbers.end(),
+                                    [&](double x) { return std::isfinite(x) && field.allowed.contains(x); });
+  const bool grows =
+      std::adjacent_find(numbers.begin(), numbers.end(), std::greater_equal<>()) == numbers.end();
   if (admitted && (grows || !field.ascending)) return;
   std::string line = card_line(field.key, value);
   line.pop_back();

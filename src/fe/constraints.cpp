@@ -43,7 +43,8 @@ template <class Mesh> Constraints<Mesh>::Constraints(const Mesh& mesh) : element
   }
 }
 
-template <class Mesh> void Constraints<Mesh>::expand(std::span<const double> x, std::vector<double>& u) const {
+template <class Mesh>
+void Constraints<Mesh>::expand(std::span<const double> x, std::vector<double>& u) const {
   u.assign(dim * free_of.size(), 0.0);
   for (std::size_t n = 0; n < free_of.size(); ++n)
     for (int k = 0; k < free_of[n].count; ++k)

@@ -29,8 +29,8 @@ Contact<Mesh>::Contact(const Mesh& mesh_, std::vector<Vector<dim>> normals, std:
                        const ContactRule& rule_, const material::Model& model)
     : mesh(mesh_), surface(mesh_), rule(rule_), E(material::initial_E(model)) {
   const double nu = material::initial_nu(model);
-  first_pressure = std::min(4 / (3 * std::numbers::pi) * E / (1 - nu * nu) * rule.pole,
-                            material::reference_stress(model));
+  first_pressure =
+      std::min(4 / (3 * std::numbers::pi) * E / (1 - nu * nu) * rule.pole, material::reference_stress(model));
   for (std::size_t k = 0; k < normals.size(); ++k) {
     Plane& plane = list.emplace_back(Plane{normals[k], copies[k], {}, {}});
     for (int f = 0; f < static_cast<int>(surface.faces.size()); ++f) {
@@ -80,7 +80,8 @@ double Contact<Mesh>::gap(const Plane& plane, const Point& point, int face, int 
   return distance;
 }
 
-template <class Mesh> Vector<Contact<Mesh>::dim> Contact<Mesh>::now(int node, std::span<const double> u) const {
+template <class Mesh>
+Vector<Contact<Mesh>::dim> Contact<Mesh>::now(int node, std::span<const double> u) const {
   return mesh.nodes[node] + of_node<dim>(u, node);
 }
 
@@ -179,7 +180,8 @@ std::vector<FacePressure> Contact<Mesh>::pressures(int k, std::span<const double
         double r = face.point[i].X[0];
         for (int a = 0; a < 2; ++a) r += face.point[i].N[a] * u[dim * face.node[a]];
         if (distance < 0) p.reach = r;
-        else if (i > 0 && inner_gap < 0) p.reach = inner_r + (r - inner_r) * inner_gap / (inner_gap - distance);
+        else if (i > 0 && inner_gap < 0)
+          p.reach = inner_r + (r - inner_r) * inner_gap / (inner_gap - distance);
         inner_gap = distance;
         inner_r = r;
       }
@@ -223,15 +225,15 @@ ContactPatch Contact<Mesh>::patch(int k, std::span<const double> u, double heigh
   return c;
 }
 
-/// Of rings: where the surface leaves the plane. (To extrapolate the pressure to zero instead takes for granted
-/// that it falls as Hertz's; under a plastic contact it ends abruptly.)
+/// Of rings: where the surface leaves the plane. (To extrapolate the pressure to zero instead takes for
+/// granted that it falls as Hertz's; under a plastic contact it ends abruptly.)
 template <> double Contact<SectionMesh>::area_of(const std::vector<FacePressure>& rings) const {
   const int n = static_cast<int>(rings.size());
   const FacePressure& last = rings.back();
   double square = last.reach * last.reach;
   // Of small, nearly elastic contacts: towards the edge p falls as sqrt(a^2 - r^2), so the force outside r as
-  // (a^2 - r^2)^{3/2}, and a follows from the forces outside two radii. Single edges near the contact edge will
-  // not do: their pressure depends on how it cuts them.
+  // (a^2 - r^2)^{3/2}, and a follows from the forces outside two radii. Single edges near the contact edge
+  // will not do: their pressure depends on how it cuts them.
   constexpr int outer = 4, inner = 9; // edges
   if (rule.uniform && n >= inner) {
     double force = 0, outer_force = 0;
@@ -240,7 +242,8 @@ template <> double Contact<SectionMesh>::area_of(const std::vector<FacePressure>
       if (i == n - outer) outer_force = force;
     }
     const double ratio = std::pow(force / outer_force, 2.0 / 3);
-    square = (ratio * std::pow(rings[n - outer].inner, 2) - std::pow(rings[n - inner].inner, 2)) / (ratio - 1);
+    square =
+        (ratio * std::pow(rings[n - outer].inner, 2) - std::pow(rings[n - inner].inner, 2)) / (ratio - 1);
     const double least = rings[n - 2].inner, most = std::max(2 * last.outer - last.inner, least);
     square = std::clamp(square, least * least, most * most);
   }

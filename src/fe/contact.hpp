@@ -2,12 +2,12 @@
 // Rigid frictionless planes on a sphere.
 //
 // The contact pressure is integrated over the true sphere above the edges or faces of the surface: a point
-// between nodes lies at its place on the undeformed sphere plus the interpolated displacement, and a part of a
-// face can touch, several planes at once. (With exact contact of nodes the radius grows by whole edges, and
-// with it, in scallops, the force of a plastic sphere.) The pressure is a stiffness times the penetration, the
-// same for every mesh: at the highest mean pressure met so far, a point at distance s from the pole penetrates
-// by 0.001 s^2/R0 (unless asked otherwise), about 0.2 % of the delta at which the contact gets there; by less
-// where the material is so stiff that it springs back by little more than that.
+// between nodes lies at its place on the undeformed sphere plus the interpolated displacement, and a part of
+// a face can touch, several planes at once. (With exact contact of nodes the radius grows by whole edges, and
+// with it, in scallops, the force of a plastic sphere.) The pressure is a stiffness times the penetration,
+// the same for every mesh: at the highest mean pressure met so far, a point at distance s from the pole
+// penetrates by 0.001 s^2/R0 (unless asked otherwise), about 0.2 % of the delta at which the contact gets
+// there; by less where the material is so stiff that it springs back by little more than that.
 //
 // Nothing here changes what it is given: what a contact remembers is a value of its caller.
 
@@ -54,10 +54,10 @@ struct ContactPatch {
 /// The contact of one edge (its ring) or face with a plane.
 struct FacePressure {
   int face;
-  double pressure; ///< mean (Pa)
-  double area;     ///< as it lies now (R0^2)
-  double energy;   ///< of the penetration (R0^3 Pa)
-  double touching; ///< share of it that penetrates
+  double pressure;             ///< mean (Pa)
+  double area;                 ///< as it lies now (R0^2)
+  double energy;               ///< of the penetration (R0^3 Pa)
+  double touching;             ///< share of it that penetrates
   double inner = 0, outer = 0; ///< of a ring: its radii now (R0)
   double reach = 0;            ///< of a ring: where it leaves the plane, or its last point if nowhere (R0)
 };
@@ -91,7 +91,7 @@ template <class Mesh> class Contact {
   std::vector<int> nodes_touching(int plane, std::span<const double> u, double height) const;
 
  private:
-  struct Point { ///< of a face, facing a plane
+  struct Point {            ///< of a face, facing a plane
     double depth;           ///< of the sphere, or of the face in its place, below the pole (R0)
     double flexibility;     ///< penetration at the pressure scale (R0)
     double least_stiffness; ///< pressure over penetration, where that is stiffer (Pa/R0)

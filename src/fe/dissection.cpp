@@ -9,12 +9,13 @@
 // LAPACK and BLAS as OpenBLAS exports them; its headers are in no run-time package.
 extern "C" {
 void sgetrf_(const int* m, const int* n, float* a, const int* lda, int* pivots, int* info);
-void slaswp_(const int* n, float* a, const int* lda, const int* k1, const int* k2, const int* pivots, const int* inc);
-void strsm_(const char* side, const char* uplo, const char* trans, const char* diag, const int* m, const int* n,
-            const float* alpha, const float* a, const int* lda, float* b, const int* ldb);
-void sgemm_(const char* trans_a, const char* trans_b, const int* m, const int* n, const int* k, const float* alpha,
-            const float* a, const int* lda, const float* b, const int* ldb, const float* beta, float* c,
-            const int* ldc);
+void slaswp_(const int* n, float* a, const int* lda, const int* k1, const int* k2, const int* pivots,
+             const int* inc);
+void strsm_(const char* side, const char* uplo, const char* trans, const char* diag, const int* m,
+            const int* n, const float* alpha, const float* a, const int* lda, float* b, const int* ldb);
+void sgemm_(const char* trans_a, const char* trans_b, const int* m, const int* n, const int* k,
+            const float* alpha, const float* a, const int* lda, const float* b, const int* ldb,
+            const float* beta, float* c, const int* ldc);
 void openblas_set_num_threads(int);
 }
 
@@ -29,8 +30,18 @@ constexpr int small_interior = 24, small_front = 96;
 constexpr double largest_share = 0.6;
 
 /// Directions along which parts are cut: axes, edges and faces of a cube, and steeper ones in a plane.
-constexpr std::array<Vector3, 13> directions{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {1, -1, 0}, {0, 1, 1},
-                                              {0, 1, -1}, {1, 0, 1}, {1, 0, -1}, {2, 1, 0}, {1, 2, 0}, {2, -1, 0},
+constexpr std::array<Vector3, 13> directions{{{1, 0, 0},
+                                              {0, 1, 0},
+                                              {0, 0, 1},
+                                              {1, 1, 0},
+                                              {1, -1, 0},
+                                              {0, 1, 1},
+                                              {0, 1, -1},
+                                              {1, 0, 1},
+                                              {1, 0, -1},
+                                              {2, 1, 0},
+                                              {1, 2, 0},
+                                              {2, -1, 0},
                                               {1, -2, 0}}};
 
 /// A part of the mesh: its unknowns, those of its interior first.
@@ -39,9 +50,9 @@ struct Front {
   std::array<int, 2> half{-1, -1}; ///< fronts
   std::vector<int> unknowns;
   int interior = 0;
-  std::vector<int> place;      ///< in `unknowns`: of the unknowns of the elements, or of the halves' boundaries
-  std::size_t factors = 0;     ///< where they begin
-  std::vector<int> pivots;     ///< as LAPACK counts them, from 1
+  std::vector<int> place;  ///< in `unknowns`: of the unknowns of the elements, or of the halves' boundaries
+  std::size_t factors = 0; ///< where they begin
+  std::vector<int> pivots; ///< as LAPACK counts them, from 1
   std::vector<float> boundary; ///< what is left of the matrix there
 
   int size() const { return static_cast<int>(unknowns.size()); }
@@ -116,8 +127,8 @@ bool eliminate_by_blocks(float* a, int size, int interior, int* pivots) {
   slaswp_(&boundary, beside, &size, &one, &interior, pivots, &one);
   strsm_("L", "L", "N", "U", &interior, &boundary, &plus, a, &size, beside, &size);
   strsm_("R", "U", "N", "N", &boundary, &interior, &plus, a, &size, below, &size);
-  sgemm_("N", "N", &boundary, &boundary, &interior, &minus, below, &size, beside, &size, &plus, beside + interior,
-         &size);
+  sgemm_("N", "N", &boundary, &boundary, &interior, &minus, below, &size, beside, &size, &plus,
+         beside + interior, &size);
   return true;
 }
 
@@ -179,7 +190,8 @@ struct Dissection::Tree {
   /// Of all planes in some directions the one that shares the fewest unknowns. `seen`: per unknown, zeros.
   std::array<std::vector<int>, 2> cut(const std::vector<int>& part, std::span<const Vector3> middles,
                                       std::vector<int>& seen) const {
-    const std::size_t n = part.size(), least = static_cast<std::size_t>((1 - largest_share) * static_cast<double>(n));
+    const std::size_t n = part.size(),
+                      least = static_cast<std::size_t>((1 - largest_share) * static_cast<double>(n));
     std::vector<int> order = part, best;
     std::size_t at = n / 2, shared_least = ~std::size_t{0};
     std::vector<std::pair<double, int>> along(n);
@@ -217,7 +229,8 @@ struct Dissection::Tree {
       }
       place += n;
     };
-    for (const int e : front.elements) scatter(matrices.data() + matrix[e], static_cast<int>(elements[e].size()));
+    for (const int e : front.elements)
+      scatter(matrices.data() + matrix[e], static_cast<int>(elements[e].size()));
     for (const int h : front.half)
       if (h >= 0) scatter(fronts[h].boundary.data(), fronts[h].boundary_size());
   }
@@ -262,7 +275,8 @@ bool Dissection::factorise(std::span<const double> element_matrices) {
     for (int j = 0; j < boundary; ++j) {
       const float* column = a + static_cast<std::size_t>(interior + j) * size;
       factors = std::copy(column, column + interior, factors);
-      std::copy(column + interior, column + size, front.boundary.data() + static_cast<std::size_t>(j) * boundary);
+      std::copy(column + interior, column + size,
+                front.boundary.data() + static_cast<std::size_t>(j) * boundary);
     }
   }
   return true;
@@ -282,10 +296,11 @@ void Dissection::solve(std::span<double> rhs) const {
   for (std::size_t i = 0; i < rhs.size(); ++i) rhs[i] = largest * x[i];
 }
 
-// Measured on 2,500 quadrilaterals and 5,000 hexahedra (bench fe): a front costs its arithmetic, and twice and a
-// half as much an entry as a solution does, which waits for the memory of the factors.
+// Measured on 2,500 quadrilaterals and 5,000 hexahedra (bench fe): a front costs its arithmetic, and twice
+// and a half as much an entry as a solution does, which waits for the memory of the factors.
 double Dissection::factorisation_cost() const {
-  constexpr double work_of_entry = 24, of_front = 2.5; // additions and multiplications in the time of an entry
+  constexpr double work_of_entry = 24,
+                   of_front = 2.5; // additions and multiplications in the time of an entry
   double cost = 0;
   for (const Front& front : tree->fronts) {
     const double i = front.interior, b = front.boundary_size();

@@ -3,9 +3,9 @@
 //
 // The elements are cut into halves along the planes that share the fewest unknowns, these again, and so on.
 // From the smallest parts up, what lies inside a part is eliminated in one small dense matrix, and what is
-// left of it acts on the part's boundary alone (A. George, SIAM J. Numer. Anal. 10, 345, 1973). Where elements
-// lie is known here, so the cuts are better than those of a general ordering, and single precision does, since
-// the factors are refined by whoever uses them (fe/lagged_solver.hpp).
+// left of it acts on the part's boundary alone (A. George, SIAM J. Numer. Anal. 10, 345, 1973). Where
+// elements lie is known here, so the cuts are better than those of a general ordering, and single precision
+// does, since the factors are refined by whoever uses them (fe/lagged_solver.hpp).
 
 #include "fe/tensor.hpp"
 
@@ -29,8 +29,8 @@ class Dissection {
   /// Replaces the right-hand side by the solution, to single precision.
   void solve(std::span<double> rhs_to_solution) const;
 
-  /// What a factorisation costs, in solutions. Counted rather than timed, so that a press gives the same curve
-  /// on any machine.
+  /// What a factorisation costs, in solutions. Counted rather than timed, so that a press gives the same
+  /// curve on any machine.
   double factorisation_cost() const;
 
  private:

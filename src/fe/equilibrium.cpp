@@ -21,7 +21,17 @@ template <class Mesh> std::vector<Vector3> middles(const Mesh& mesh) {
 }
 
 Cause cause_of(Outcome outcome) {
-  return outcome == Outcome::done ? Cause::none : outcome == Outcome::no_memory ? Cause::no_memory : Cause::singular;
+  switch (outcome) {
+  case Outcome::done:
+    return Cause::none;
+  case Outcome::singular:
+    return Cause::singular;
+  case Outcome::no_memory:
+    return Cause::no_memory;
+  case Outcome::steps:
+    return Cause::stalled;
+  }
+  return Cause::none;
 }
 
 } // namespace
@@ -40,14 +50,17 @@ template <Element E> StepReport Equilibrium<E>::solve(const Conditions<E>& given
   return newton(*this, settings, x);
 }
 
-/// Forces of solid and contact. The residual is relative to the reactions; those so small that the rounding of
-/// the strains would be a larger residual count as larger.
+/// Forces of solid and contact. The residual is relative to the reactions; those so small that the rounding
+/// of the strains would be a larger residual count as larger.
 template <Element E> Cause Equilibrium<E>::evaluate(const std::vector<double>& x, Iterate& iterate) {
   constraints.expand(x, u);
   switch (solid.evaluate(u, conditions->start, answer)) {
-  case Evaluation::done: break;
-  case Evaluation::inverted_element: return Cause::inverted_element;
-  case Evaluation::refused_material: return Cause::refused_material;
+  case Evaluation::done:
+    break;
+  case Evaluation::inverted_element:
+    return Cause::inverted_element;
+  case Evaluation::refused_material:
+    return Cause::refused_material;
   }
   contact.add_forces(u, conditions->heights, conditions->memory, answer.force, iterate.touching);
   constraints.reduce(answer.force, iterate.force);

@@ -192,7 +192,8 @@ void Hexahedron::tangent(const Shape& s, const Kinematics& moved, const material
     for (int x = 0; x < 9; ++x)
       for (int i = 0; i < 3; ++i)
         for (int a = 0; a < 8; ++a)
-          half[x][8 * i + a] = T[x][3 * i] * along[0][a] + T[x][3 * i + 1] * along[1][a] + T[x][3 * i + 2] * along[2][a];
+          half[x][8 * i + a] =
+              T[x][3 * i] * along[0][a] + T[x][3 * i + 1] * along[1][a] + T[x][3 * i + 2] * along[2][a];
     constexpr int of[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}}; // components of a symmetric tensor
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
@@ -204,12 +205,12 @@ void Hexahedron::tangent(const Shape& s, const Kinematics& moved, const material
       for (int a = 0; a < 8; ++a) {
         const double n0 = along[0][a], n1 = along[1][a], n2 = along[2][a];
         for (int i = 0; i < 24; ++i)
-          by_component[8 * c + a][i] += n0 * half[3 * c][i] + n1 * half[3 * c + 1][i] + n2 * half[3 * c + 2][i];
+          by_component[8 * c + a][i] +=
+              n0 * half[3 * c][i] + n1 * half[3 * c + 1][i] + n2 * half[3 * c + 2][i];
       }
   }
   for (int j = 0; j < 24; ++j)
-    for (int i = 0; i < 24; ++i)
-      by_component[j][i] += left[i] * b[j] + b[i] * (right[j] + (both - P) * b[j]);
+    for (int i = 0; i < 24; ++i) by_component[j][i] += left[i] * b[j] + b[i] * (right[j] + (both - P) * b[j]);
   for (int d = 0; d < 3; ++d)
     for (int c = 0; c < 8; ++c)
       for (int i = 0; i < 3; ++i)
@@ -244,9 +245,9 @@ Hexahedron::State Hexahedron::continued(const State& a, const State& b, double f
   };
   const auto& B = b.Cp_inv;
   const Vector3 c0 = forward(B[0], B[3], B[5]), c1 = forward(B[3], B[1], B[4]),
-                    c2 = forward(B[5], B[4], B[2]);
+                c2 = forward(B[5], B[4], B[2]);
   const Vector3 r0 = forward(c0[0], c1[0], c2[0]), r1 = forward(c0[1], c1[1], c2[1]),
-                    r2 = forward(c0[2], c1[2], c2[2]);
+                r2 = forward(c0[2], c1[2], c2[2]);
   Spectral m = spectral({r0[0], r1[1], r2[2], r0[1], r1[2], r2[0]});
   for (int k = 0; k < 3; ++k) {
     m.value[k] = std::pow(m.value[k], factor);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 namespace platen::fe {
 namespace {
@@ -32,7 +33,9 @@ Outcome LaggedSolver::matrix(std::span<const double> element_matrices) {
 
 Outcome LaggedSolver::factorise() {
   Stopwatch watch(factorisation_s);
-  if (!direct.factorise(matrices)) return Outcome::singular;
+  try {
+    if (!direct.factorise(matrices)) return Outcome::singular;
+  } catch (const std::bad_alloc&) { return Outcome::no_memory; }
   fresh = true;
   wanted = false;
   spent = factorisation_cost;

@@ -12,12 +12,13 @@
 
 namespace platen::fe {
 
-enum class [[nodiscard]] Outcome { done, singular, no_memory, steps };
+enum class [[nodiscard]] Outcome{done, singular, no_memory, steps};
 
 class LaggedSolver {
  public:
   /// As Dissection's.
-  LaggedSolver(int unknowns, std::vector<std::vector<int>> element_unknowns, std::span<const Vector3> middles);
+  LaggedSolver(int unknowns, std::vector<std::vector<int>> element_unknowns,
+               std::span<const Vector3> middles);
 
   /// The matrix of the next solutions, by columns; factorised where that pays. The span must stay.
   Outcome matrix(std::span<const double> element_matrices);

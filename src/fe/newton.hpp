@@ -18,7 +18,16 @@ struct NewtonSettings {
 };
 
 /// Why a solution was not found.
-enum class Cause { none, inverted_element, refused_material, diverged, too_many_iterations, singular, no_memory };
+enum class Cause {
+  none,
+  inverted_element,
+  refused_material,
+  diverged,
+  too_many_iterations,
+  singular,
+  stalled,
+  no_memory
+};
 std::string_view words(Cause);
 
 /// A system at one iterate.
@@ -60,8 +69,8 @@ concept System = requires(S& system, const std::vector<double>& x, Iterate& iter
 /// The residual may grow while zones and contacts settle, but not beyond this many reactions; a residual of
 /// the size of the reactions is one of no equilibrium at all.
 inline constexpr double diverged = 1e3;
-/// Line search: the work of the residual on the correction may overshoot by this share of what it was (Matthies &
-/// Strang 1979 ask 0.5). How often the correction is shortened.
+/// Line search: the work of the residual on the correction may overshoot by this share of what it was
+/// (Matthies & Strang 1979 ask 0.5). How often the correction is shortened.
 inline constexpr double work_left = 0.5;
 inline constexpr int searches_max = 3;
 
@@ -89,7 +98,8 @@ template <System S> StepReport newton(S& system, const NewtonSettings& settings,
       const double left = failed ? 0 : work();
       // What is left of the other sign: it went too far. More than there was: the system softens on the way.
       if (!failed && left >= -work_left * std::abs(work_0) && left <= std::abs(work_0)) break;
-      const double next = fraction * (failed || left > 0 ? 0.5 : std::clamp(work_0 / (work_0 - left), 0.2, 0.8));
+      const double next =
+          fraction * (failed || left > 0 ? 0.5 : std::clamp(work_0 / (work_0 - left), 0.2, 0.8));
       for (std::size_t i = 0; i < x.size(); ++i) x[i] += (next - fraction) * correction[i];
       fraction = next;
       cause = system.evaluate(x, now);

@@ -126,8 +126,8 @@ void Quad::forces(const Shape& s, const Kinematics& k, const material::PointUpda
 // with tau_m = tr(tau)/3, P = int tau_m dV, b = d(ln J_bar)/du, lbar_AA = l_AA + (b - tr l)/3. Where material
 // flows, two_G_added times the deviatoric projection is added to D.
 PLATEN_VECTOR_CLONES
-void Quad::tangent(const Shape& s, const Kinematics& k, const material::PointUpdate* updates, double two_G_added,
-                   double* K) {
+void Quad::tangent(const Shape& s, const Kinematics& k, const material::PointUpdate* updates,
+                   double two_G_added, double* K) {
   const double v = k.J_bar * s.whole_volume;
   double tr[points][8], b[8] = {}, P = 0;
   // The matrix is a sum of products of a vector with a transposed vector: nine a Gauss point, and the mean

@@ -51,7 +51,7 @@ class Builder {
     for (int j = 0; j < m; ++j)
       for (int i = 0; i < n; ++i)
         mesh.elements.push_back({id[j * (n + 1) + i], id[j * (n + 1) + i + 1], id[(j + 1) * (n + 1) + i + 1],
-                              id[(j + 1) * (n + 1) + i]});
+                                 id[(j + 1) * (n + 1) + i]});
   }
 
   int node(Point x) {
@@ -118,8 +118,8 @@ void refine_surface(Builder& b, int fine_rows) {
     b.mesh.elements.push_back({I_2, quad[1], T[3], T[2]});
     for (std::size_t j = 1; j + 1 < row.size(); ++j)
       for (int i = 0; i < 3; ++i)
-        b.mesh.elements.push_back({at(i / 3.0, row[j]), at((i + 1) / 3.0, row[j]), at((i + 1) / 3.0, row[j + 1]),
-                                at(i / 3.0, row[j + 1])});
+        b.mesh.elements.push_back({at(i / 3.0, row[j]), at((i + 1) / 3.0, row[j]),
+                                   at((i + 1) / 3.0, row[j + 1]), at(i / 3.0, row[j + 1])});
   }
 }
 

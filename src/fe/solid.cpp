@@ -25,7 +25,9 @@ template <Element E> Vector<Solid<E>::dim> Solid<E>::place(int point) const {
   for (int a = 0; a < E::Mesh::corners; ++a) {
     double N = 1;
     for (int k = 0; k < dim; ++k) {
-      const auto side = [k](int corner) { return k == 2 ? corner / 4 : k == 1 ? corner % 4 / 2 : (corner % 4 + 1) / 2 % 2; };
+      const auto side = [k](int corner) {
+        return k == 2 ? corner / 4 : k == 1 ? corner % 4 / 2 : (corner % 4 + 1) / 2 % 2;
+      };
       N *= (1 + (side(a) == side(point % E::points) ? 1 : -1) / std::sqrt(3.0)) / 2;
     }
     x = x + N * mesh.nodes[element[a]];
@@ -34,8 +36,7 @@ template <Element E> Vector<Solid<E>::dim> Solid<E>::place(int point) const {
 }
 
 template <Element E>
-Evaluation Solid<E>::evaluate(std::span<const double> u, std::span<const State> start,
-                              Response<E>& r) const {
+Evaluation Solid<E>::evaluate(std::span<const double> u, std::span<const State> start, Response<E>& r) const {
   r.kinematics.resize(elements());
   r.updates.resize(points());
   r.trial.resize(points());

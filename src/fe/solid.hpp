@@ -53,9 +53,10 @@ template <Element E> class Solid {
   /// Where a Gauss point lies in the undeformed sphere.
   Vector<dim> place(int point) const;
 
-  /// The response to displacements u (components of each node, in R0), from the states `start`. Where it fails
-  /// the rest is unspecified.
-  [[nodiscard]] Evaluation evaluate(std::span<const double> u, std::span<const State> start, Response<E>&) const;
+  /// The response to displacements u (components of each node, in R0), from the states `start`. Where it
+  /// fails the rest is unspecified.
+  [[nodiscard]] Evaluation evaluate(std::span<const double> u, std::span<const State> start,
+                                    Response<E>&) const;
   /// The tangent there: element matrices by columns. Where material flows it is stiffer by `added` of the
   /// initial elastic shear stiffness, which makes Newton's corrections smaller, not its solution another.
   void linearise(Response<E>&, double added, std::span<double> matrices) const;

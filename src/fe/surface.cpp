@@ -23,11 +23,14 @@ constexpr std::array<std::array<double, 2>, 4> corner_of{{{-1, -1}, {1, -1}, {1,
 
 /// Along the arc between the nodes.
 void place(const SectionMesh& mesh, Surface<SectionMesh>::Face& face) {
-  const auto angle = [&](int k) { return std::atan2(mesh.nodes[face.node[k]][0], mesh.nodes[face.node[k]][1]); };
+  const auto angle = [&](int k) {
+    return std::atan2(mesh.nodes[face.node[k]][0], mesh.nodes[face.node[k]][1]);
+  };
   const double from = angle(0), h = angle(1) - from;
   for (std::size_t i = 0; i < x8.size(); ++i) {
     const double t = (1 + x8[i]) / 2, at = from + t * h;
-    face.point[i] = {{1 - t, t}, {std::sin(at), std::cos(at)}, 2 * std::numbers::pi * std::sin(at) * h * w8[i] / 2};
+    face.point[i] = {
+        {1 - t, t}, {std::sin(at), std::cos(at)}, 2 * std::numbers::pi * std::sin(at) * h * w8[i] / 2};
   }
 }
 

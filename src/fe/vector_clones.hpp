@@ -1,6 +1,7 @@
 #pragma once
-// Debian's baseline knows SSE2 alone. A function marked with this is compiled for newer processors too, and the
-// right version is taken when the program starts. They differ by rounding: newer ones multiply and add at once.
+// Debian's baseline knows SSE2 alone. A function marked with this is compiled for newer processors too, and
+// the right version is taken when the program starts. They differ by rounding: newer ones multiply and add at
+// once.
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
 #define PLATEN_VECTOR_CLONES [[gnu::target_clones("default", "arch=haswell", "arch=skylake-avx512")]]

@@ -90,8 +90,8 @@ std::optional<double> side_onset(const press::Curve& curve) {
   std::vector<std::pair<double, double>> products;
   for (const auto& p : curve.points)
     if (p.branch == press::Branch::loading)
-      products.emplace_back(p.delta_bar,
-                            law::side_density_product(p.delta_bar, p.side[0].contact_radius_m / curve.radius_m));
+      products.emplace_back(
+          p.delta_bar, law::side_density_product(p.delta_bar, p.side[0].contact_radius_m / curve.radius_m));
   return crossing(products, law::shahin_minimum_density_product);
 }
 

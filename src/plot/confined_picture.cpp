@@ -241,7 +241,8 @@ void contacts_picture(const press::Curve& curve, const std::filesystem::path& fi
     const char* colour;
     int index; ///< in a row of the curve
   };
-  constexpr std::array planes = {Plane{"z", "#0072b2", 0}, Plane{"x", "#d55e00", 1}, Plane{"y", "#009e73", 2}};
+  constexpr std::array planes = {Plane{"z", "#0072b2", 0}, Plane{"x", "#d55e00", 1},
+                                 Plane{"y", "#009e73", 2}};
   std::string script =
       terminal(file, 760, 900) +
       fmt::format("set border 3 lc rgb '{0}' lw 1\nset tics nomirror out scale 0.5 tc rgb '{0}'\n"
@@ -262,8 +263,8 @@ void contacts_picture(const press::Curve& curve, const std::filesystem::path& fi
       const press::PlanePoint& at = p.plane(plane.index);
       touched = touched || at.force_N > 0;
       data += fmt::format("{:.8g} {:.8g} {:.8g} {:.8g}\n", p.delta_bar,
-                          at.force_N > 0 ? at.mean_pressure_Pa / curve.sigma_ref_Pa : 0, at.contact_radius_m / R,
-                          at.force_N / unit);
+                          at.force_N > 0 ? at.mean_pressure_Pa / curve.sigma_ref_Pa : 0,
+                          at.contact_radius_m / R, at.force_N / unit);
     }
     // Planes along y that do what those along x do are drawn once.
     const bool again =

@@ -10,8 +10,9 @@
 namespace platen::press {
 
 template <fe::Element E>
-Totals account_points(const fe::Solid<E>& solid, const fe::Response<E>& response, std::vector<PointFlow<E>>& points,
-                      const std::vector<PointFlow<E>>& before, CurvePoint& row) {
+Totals account_points(const fe::Solid<E>& solid, const fe::Response<E>& response,
+                      std::vector<PointFlow<E>>& points, const std::vector<PointFlow<E>>& before,
+                      CurvePoint& row) {
   Totals totals;
   double reference = 0, unloaded = 0;
   std::array<double, 4> zones{};
@@ -75,7 +76,8 @@ template Totals account_points(const fe::Solid<fe::Quad>&, const fe::Response<fe
 template Totals account_points(const fe::Solid<fe::Hexahedron>&, const fe::Response<fe::Hexahedron>&,
                                std::vector<PointFlow<fe::Hexahedron>>&,
                                const std::vector<PointFlow<fe::Hexahedron>>&, CurvePoint&);
-template std::vector<std::string> flags_of(const fe::Solid<fe::Quad>&, const std::vector<PointFlow<fe::Quad>>&);
+template std::vector<std::string> flags_of(const fe::Solid<fe::Quad>&,
+                                           const std::vector<PointFlow<fe::Quad>>&);
 template std::vector<std::string> flags_of(const fe::Solid<fe::Hexahedron>&,
                                            const std::vector<PointFlow<fe::Hexahedron>>&);
 

@@ -13,9 +13,7 @@
 namespace platen::press {
 
 /// Fields of the sections of an experiment's card.
-template <class X> struct CardFields {
-  std::vector<core::Field<X>> path, mesh, output;
-};
+template <class X> struct CardFields { std::vector<core::Field<X>> path, mesh, output; };
 
 /// How messages name keys: with file and line where there is a card, else by section.
 struct Places {
@@ -45,7 +43,8 @@ void check(const Triaxial&, const material::Material&, const Places&);
 
 template <class X> std::vector<core::Field<X>> mesh_fields(std::string elements, core::Interval allowed) {
   return {core::Field<X>{"elements", &X::elements, std::move(elements), allowed}.optional(),
-          core::Field<X>{"step_max", &X::step_max, "largest step of delta/R0", core::left_open(0, 0.05)}.optional()};
+          core::Field<X>{"step_max", &X::step_max, "largest step of delta/R0", core::left_open(0, 0.05)}
+              .optional()};
 }
 template <class X> std::vector<core::Field<X>> output_fields(std::string fields_at, core::Interval allowed) {
   return {core::Field<X>{"fields_at", &X::fields_at, std::move(fields_at), allowed}.optional().growing()};
@@ -63,8 +62,9 @@ CardFields<X> by_overlap_fields(std::string largest, core::Interval overlaps, st
 }
 /// `end`: zero porosity, as text.
 template <class X> CardFields<X> confined_fields(const std::string& end) {
-  return by_overlap_fields<X>("largest delta/R0; by default that of zero porosity, " + end, core::left_open(0, 1),
-                              "wanted number of hexahedra in the wedge", core::closed(200, 60000));
+  return by_overlap_fields<X>("largest delta/R0; by default that of zero porosity, " + end,
+                              core::left_open(0, 1), "wanted number of hexahedra in the wedge",
+                              core::closed(200, 60000));
 }
 
 } // namespace platen::press

@@ -14,11 +14,11 @@ namespace platen::press {
 
 /// What presses by overlap share: planes approach to delta_bar_max.
 struct ByOverlap {
-  double delta_bar_max = 0.5;      ///< largest delta/R0
+  double delta_bar_max = 0.5;           ///< largest delta/R0
   std::vector<double> unload_from = {}; ///< delta_bar at which a branch unloads, ascending
-  bool reload = false;             ///< each unloaded branch is loaded again
-  int elements = 2500;             ///< wanted number of elements; the mesh comes close to it
-  double step_max = 0.005;         ///< largest step of delta_bar
+  bool reload = false;                  ///< each unloaded branch is loaded again
+  int elements = 2500;                  ///< wanted number of elements; the mesh comes close to it
+  double step_max = 0.005;              ///< largest step of delta_bar
   std::vector<double> fields_at = {};   ///< delta_bar at which fields are kept, ascending
 };
 
@@ -44,17 +44,18 @@ struct Triaxial {
   static constexpr std::string_view name = "triaxial";
   std::vector<double> delta_bar_z, delta_bar_x, delta_bar_y; ///< delta/R0 along z, x, y
   int elements = 5000;
-  double step_max = 0.005;
+  double step_max = 0.01;
   std::vector<double> fields_at; ///< by the way that the plane that moves most has gone
 };
 
-/// Two equal spheres, or a sphere on a rigid plane, at loads where the contact radius is a few per cent of the
-/// sphere's (WG section 3). The path goes by force or by overlap; the first limit met ends it.
+/// Two equal spheres, or a sphere on a rigid plane, at loads where the contact radius is a few per cent of
+/// the sphere's (WG section 3). The path goes by force or by overlap; the first limit met ends it.
 struct Local {
   static constexpr std::string_view name = "local";
   double force_max_N = 100; ///< may be infinite
   double delta_bar_max = 0.5;
-  std::vector<double> unload_from_N, unload_from; ///< forces and delta_bar at which a branch unloads, ascending
+  std::vector<double> unload_from_N,
+      unload_from; ///< forces and delta_bar at which a branch unloads, ascending
   bool reload = false;
   double first_contact_bar = 0.0015; ///< contact radius/R0 from which on `edges` edges lie under the contact
   int edges = 20;                    ///< of elements under the contact, at least

@@ -37,7 +37,8 @@ const std::vector<Field<Head>> head_fields = {
 const std::vector<Experiment>& experiments() {
   static const std::vector<Experiment> all = []<std::size_t... i>(std::index_sequence<i...>) {
     return std::vector<Experiment>{std::variant_alternative_t<i, Experiment>{}...};
-  }(std::make_index_sequence<std::variant_size_v<Experiment>>());
+  }
+  (std::make_index_sequence<std::variant_size_v<Experiment>>());
   return all;
 }
 
@@ -61,7 +62,8 @@ template <class X> X read_sections(const Table& card, X e) {
   const bool needed =
       std::any_of(fields.path.begin(), fields.path.end(), [](const auto& field) { return field.required; });
   if (needed && !path)
-    throw core::InvalidInput(fmt::format("{}: a {} press needs [path] {}", card.file, X::name, fields.path.front().key));
+    throw core::InvalidInput(
+        fmt::format("{}: a {} press needs [path] {}", card.file, X::name, fields.path.front().key));
   if (path) e = core::read_fields(*path, fields.path, e);
   if (const Table* mesh = core::section(card, "mesh")) e = core::read_fields(*mesh, fields.mesh, e);
   if (const Table* output = core::section(card, "output")) e = core::read_fields(*output, fields.output, e);
@@ -97,26 +99,31 @@ material::Material read_material(const Table& card) {
   return material::read_card(core::read_toml(find_material(card, *what))).material;
 }
 
-/// Lines of a section; a limit that nobody asked for, infinity, is not in it. Without defaults all lines, else
-/// those that differ from them.
+/// A force that nobody asked for.
+bool is_no_limit(const core::FieldValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number && *number == std::numeric_limits<double>::infinity();
+}
+
+/// Lines of a section; a limit that nobody asked for, infinity, is not in it. Without defaults all lines,
+/// else those that differ from them.
 template <class X>
 std::string lines_of(const std::vector<Field<X>>& fields, const X& e, const X* defaults = nullptr) {
   std::string lines;
   for (const auto& field : fields) {
     const core::FieldValue value = core::value_of(field, e);
-    const auto* number = std::get_if<double>(&value);
-    if (number && *number == std::numeric_limits<double>::infinity()) continue;
+    if (!defaults && is_no_limit(value)) continue;
     if (defaults && core::value_of(field, *defaults) == value) continue;
     lines += core::card_line(field.key, value);
   }
   return lines;
 }
 
-template <class X> void check_fields(const std::vector<Field<X>>& fields, const X& e, std::string_view section) {
+template <class X>
+void check_fields(const std::vector<Field<X>>& fields, const X& e, std::string_view section) {
   for (const auto& field : fields) {
     const core::FieldValue value = core::value_of(field, e);
-    const auto* number = std::get_if<double>(&value);
-    if (number && *number == std::numeric_limits<double>::infinity() && field.allowed.high == *number) continue;
+    if (field.key == "force_max_N" && is_no_limit(value)) continue;
     core::check_value(field, value, section);
   }
 }
@@ -180,15 +187,17 @@ std::string case_reference() {
     for (const auto& field : fields) values.push_back(core::value_of(field, defaults));
     return core::reference_table(core::infos<X>(fields), values);
   };
-  std::string text = fmt::format("# Case card\n\n{}| `material` | a name in the catalogue, a path, or a table | text "
-                                 "or a table |\n",
-                                 core::reference_table(core::infos<Head>(head_fields)));
+  std::string text =
+      fmt::format("# Case card\n\n{}| `material` | a name in the catalogue, a path, or a table | text "
+                  "or a table |\n",
+                  core::reference_table(core::infos<Head>(head_fields)));
   for (const Experiment& any : experiments())
     std::visit(
         [&]<class X>(const X& e) {
           const CardFields<X>& fields = card_fields(&e);
-          text += fmt::format("\n# experiment = \"{}\"\n\n## [path]\n\n{}\n## [mesh]\n\n{}\n## [output]\n\n{}", X::name,
-                              page(fields.path), page(fields.mesh), page(fields.output));
+          text +=
+              fmt::format("\n# experiment = \"{}\"\n\n## [path]\n\n{}\n## [mesh]\n\n{}\n## [output]\n\n{}",
+                          X::name, page(fields.path), page(fields.mesh), page(fields.output));
         },
         any);
   return text;
@@ -223,8 +232,8 @@ std::string Places::output(std::string_view key) const {
 void check_within(const std::vector<double>& values, double end, const std::string& place,
                   std::string_view end_key) {
   if (!values.empty() && values.back() > end)
-    throw core::InvalidInput(fmt::format("{} goes to {}, beyond {} = {}", place, core::number_text(values.back()),
-                                         end_key, core::number_text(end)));
+    throw core::InvalidInput(fmt::format("{} goes to {}, beyond {} = {}", place,
+                                         core::number_text(values.back()), end_key, core::number_text(end)));
 }
 
 void check_path(const ByOverlap& e, const Places& at) {

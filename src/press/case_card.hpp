@@ -20,8 +20,8 @@ void validate(const Case&);
 /// case.
 std::string case_text(const Case&);
 
-/// The same without what is as it is by default: what names a case, so that a new key with a default names the
-/// cases of before as before.
+/// The same without what is as it is by default: what names a case, so that a new key with a default names
+/// the cases of before as before.
 std::string case_identity(const Case&);
 
 /// The reference page of case cards, as Markdown.

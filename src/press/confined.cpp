@@ -22,8 +22,8 @@ void check_cell(const material::Material& material, const std::array<double, 3>&
   const double left = cell_volume(overlaps) / solid;
   if (left < 1 / fullest * (1 - 1e-9))
     throw core::InvalidInput(fmt::format(
-        "{} leaves the cell {:.3g} of the volume of the particle's solid; the press goes down to {:.2g}", place,
-        left, 1 / fullest));
+        "{} leaves the cell {:.3g} of the volume of the particle's solid; the press goes down to {:.2g}",
+        place, left, 1 / fullest));
 }
 
 bool is_confined(const Experiment& experiment) {
@@ -61,7 +61,7 @@ WedgePlan confined_plan(fe::Wedge wedge, int elements, std::array<bool, 3> prese
     if (copies_onto(plan.mesh.nodes[n], axes[1]) > 0) plan.equator_node = static_cast<int>(n);
   plan.contact = {.flat_faces = true};
   plan.motion = std::move(motion);
-  plan.steps = {.first = 5e-4, .relative_max = 0.1, .largest = 2 * step_max};
+  plan.steps = {.first = 5e-4, .relative_max = 0.1, .largest = step_max};
   return plan;
 }
 

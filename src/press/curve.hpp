@@ -20,8 +20,8 @@ struct PlanePoint {
 };
 
 /// One converged step; columns of curve.csv under the same names. The plane along z, and of a confined press
-/// those along x and y, each a whole plane. Energies are those of one side: the whole sphere pressed from both
-/// sides, halved.
+/// those along x and y, each a whole plane. Energies are those of one side: the whole sphere pressed from
+/// both sides, halved.
 struct CurvePoint : PlanePoint {
   int branch_id = 0; ///< 0: loading; others count the branches
   Branch branch = Branch::loading;
@@ -33,8 +33,8 @@ struct CurvePoint : PlanePoint {
   double rho_r_mean = 1, rho_r_min = 1, rho_r_max = 1;
   double sigma_1_max_Pa = 0;
   double equator_displacement_m = 0; ///< outwards, of the point of the sphere on the x axis
-  double hertz_delta_m = 0; ///< delta with the far field of the finite sphere taken out: Hertz's
-  double mises_max_Pa = 0;  ///< largest von Mises stress at a Gauss point
+  double hertz_delta_m = 0;          ///< delta with the far field of the finite sphere taken out: Hertz's
+  double mises_max_Pa = 0;           ///< largest von Mises stress at a Gauss point
   int iterations = 0;
   std::array<PlanePoint, 2> side; ///< planes along x and y
   double cell_filling = 0; ///< volume of the undeformed particle over that of the cell; 0: no closed cell

@@ -3,7 +3,7 @@
 
 namespace platen::press {
 
-Die::Die() : ByOverlap{.delta_bar_max = die_zero_porosity, .elements = 5000} {}
+Die::Die() : ByOverlap{.delta_bar_max = die_zero_porosity, .elements = 5000, .step_max = 0.01} {}
 
 const CardFields<Die>& card_fields(const Die*) {
   static const CardFields<Die> fields = confined_fields<Die>("0.4764");
@@ -18,7 +18,12 @@ void check(const Die& e, const material::Material& material, const Places& at) {
 
 WedgePlan plan(const Die& e) {
   WedgePlan plan = confined_plan(fe::Wedge::sixteenth, e.elements, {true, true, true},
-                                 {[](double t) { return std::array{t, 0.0, 0.0}; }, {}, {}}, e.step_max);
+                                 {[](double t) {
+                                    return std::array{t, 0.0, 0.0};
+                                  },
+                                  {},
+                                  {}},
+                                 e.step_max);
   plan.halts = halts_of(e);
   return plan;
 }

@@ -51,13 +51,16 @@ std::vector<double> halts(std::vector<double> some, const std::vector<double>& o
   return some;
 }
 
-bool wanted(const std::vector<double>& list, double x) { return std::find(list.begin(), list.end(), x) != list.end(); }
+bool wanted(const std::vector<double>& list, double x) {
+  return std::find(list.begin(), list.end(), x) != list.end();
+}
 
 template <fe::Element E> class Driver {
  public:
   Driver(const Case& c, const Plan<E>& plan_, const Progress& progress_, const Observer<E>& observer_)
       : press_case(c), progress(progress_), observer(observer_), stepper(c.material.model, c.radius_m, plan_),
-        rule(stepper.plan.steps), path(stepper.plan.halts), motion(stepper.plan.motion), state(stepper.at_rest()) {
+        rule(stepper.plan.steps), path(stepper.plan.halts), motion(stepper.plan.motion),
+        state(stepper.at_rest()) {
     result.curve = begun_curve(c);
   }
 
@@ -123,7 +126,8 @@ template <fe::Element E> class Driver {
     }
   }
 
-  /// From a step that went beyond the force to one that meets it: secant in F^(2/3), in which Hertz is a line.
+  /// From a step that went beyond the force to one that meets it: secant in F^(2/3), in which Hertz is a
+  /// line.
   std::optional<State<E>> meet(double force, const State<E>& beyond) {
     const auto height = [](double F) { return std::pow(std::max(F, 0.0), 2.0 / 3); };
     double low = state.time, F_low = state.row.force_N, high = beyond.time, F_high = beyond.row.force_N;
@@ -220,7 +224,8 @@ template <fe::Element E> class Driver {
     point.branch_id = id;
     // Legs on which planes with ways of their own move apart are branches.
     for (std::size_t leg = 0; leg < motion.retreats.size(); ++leg)
-      if (motion.retreats[leg] && state.time > (leg ? motion.turns[leg - 1] : 0) && state.time <= motion.turns[leg]) {
+      if (motion.retreats[leg] && state.time > (leg ? motion.turns[leg - 1] : 0) &&
+          state.time <= motion.turns[leg]) {
         point.branch = Branch::unloading;
         point.branch_id = static_cast<int>(leg);
       }
@@ -230,7 +235,8 @@ template <fe::Element E> class Driver {
   void picture() {
     if constexpr (std::is_same_v<E, fe::Quad>) {
       result.snapshots.push_back(snapshot(stepper, state, Branch::loading));
-      if (std::holds_alternative<Local>(press_case.experiment)) result.profiles.push_back(profile(stepper, state));
+      if (std::holds_alternative<Local>(press_case.experiment))
+        result.profiles.push_back(profile(stepper, state));
     } else result.spatial.push_back(snapshot(stepper, state, Branch::loading));
   }
 
@@ -238,8 +244,8 @@ template <fe::Element E> class Driver {
     const CurvePoint& at = state.row;
     const bool own_ways = !motion.turns.empty();
     result.failure = fmt::format("stopped at {} = {:.5g}, F = {:.5g} N: {}, also in steps of {:.0e}{}",
-                                 own_ways ? "a way of the planes of delta/R0" : "delta_bar", state.time, at.force_N,
-                                 fe::words(why), rule.smallest, limit_load());
+                                 own_ways ? "a way of the planes of delta/R0" : "delta_bar", state.time,
+                                 at.force_N, fe::words(why), rule.smallest, limit_load());
   }
 
   /// Whether the particle, not the iteration, is what gave way: it flows as a whole, or the force has had its
@@ -250,9 +256,11 @@ template <fe::Element E> class Driver {
     for (const CurvePoint& point : result.curve.points) peak = std::max(peak, point.force_N);
     if (state.row.zone_elastic < 1 - flowing || state.row.force_N < peak)
       return fmt::format("; {:.0f} % of the volume flows{}: the particle has come to its limit load",
-                         100 * (1 - state.row.zone_elastic), state.row.force_N < peak ? " and the force falls" : "");
+                         100 * (1 - state.row.zone_elastic),
+                         state.row.force_N < peak ? " and the force falls" : "");
     return std::holds_alternative<material::Dpc>(press_case.material.model)
-               ? "; the failure line of dpc carries little where Lambda is small against Gamma: run the card with "
+               ? "; the failure line of dpc carries little where Lambda is small against Gamma: run the card "
+                 "with "
                  "--model vmdc"
                : "";
   }
@@ -279,7 +287,8 @@ Result drive(const Case& c, const Plan<E>& plan, const Progress& progress, const
   return Driver<E>(c, plan, progress, observer)();
 }
 template Result drive(const Case&, const Plan<fe::Quad>&, const Progress&, const Observer<fe::Quad>&);
-template Result drive(const Case&, const Plan<fe::Hexahedron>&, const Progress&, const Observer<fe::Hexahedron>&);
+template Result drive(const Case&, const Plan<fe::Hexahedron>&, const Progress&,
+                      const Observer<fe::Hexahedron>&);
 
 Result press(const Case& c, const Progress& progress) {
   validate(c);

@@ -13,7 +13,6 @@ template <fe::Element E> struct Observer {
   std::function<void(Result&)> report = [](Result&) {};
 };
 
-template <fe::Element E>
-Result drive(const Case&, const Plan<E>&, const Progress&, const Observer<E>& = {});
+template <fe::Element E> Result drive(const Case&, const Plan<E>&, const Progress&, const Observer<E>& = {});
 
 } // namespace platen::press

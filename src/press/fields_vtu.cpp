@@ -40,7 +40,8 @@ class Writer {
 
 /// A point of a section lies in the plane x = r, y = z.
 template <std::size_t N> std::string in_metres(const fe::Vector<N>& x, double radius_m) {
-  return fmt::format("{:.9g} {:.9g} {:.9g}", x[0] * radius_m, x[1] * radius_m, N == 3 ? x[N - 1] * radius_m : 0.0);
+  return fmt::format("{:.9g} {:.9g} {:.9g}", x[0] * radius_m, x[1] * radius_m,
+                     N == 3 ? x[N - 1] * radius_m : 0.0);
 }
 
 /// How files name an element and its stresses.
@@ -131,6 +132,5 @@ template std::string fields_series(const std::vector<SpatialSnapshot>&);
 std::string fields_name(double delta_bar) {
   return fmt::format("fields-{}.vtu", core::number_text(delta_bar));
 }
-
 
 } // namespace platen::press

@@ -61,8 +61,7 @@ double accept(PointFlow<E>& flow, const PointFlow<E>& before, const material::Mo
   const material::TrialInvariants middle{(from.elastic.eps_v + flow.elastic.eps_v) / 2,
                                          (from.elastic.eps_q + flow.elastic.eps_q) / 2};
   const auto energy = [&](double phi) {
-    return material::plastic_volume_ratio(model, phi) *
-           material::stored_energy(model, middle, phi);
+    return material::plastic_volume_ratio(model, phi) * material::stored_energy(model, middle, phi);
   };
   return (there + here) / 2 - (energy(flow.state.phi) - energy(before.state.phi));
 }

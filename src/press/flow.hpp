@@ -6,8 +6,8 @@
 // step to the equilibrium at t_k starts almost halfway between t_{k-1} and t_k, from a state that continues
 // the flow met at t_{k-1}; so each return is the middle of the flow it stands for (the midpoint rule, with
 // equilibria at the midpoints). A point that begins to flow starts from its last equilibrium instead; one
-// that ceases to has flowed for the first part of the step. (To start it from its last equilibrium again, once
-// it is seen not to flow, makes the residual jump: Newton took twice the iterations.)
+// that ceases to has flowed for the first part of the step. (To start it from its last equilibrium again,
+// once it is seen not to flow, makes the residual jump: Newton took twice the iterations.)
 
 #include "fe/solid.hpp"
 
@@ -37,6 +37,7 @@ template <fe::Element E> PointFlow<E> next_return(const PointFlow<E>&, double ti
 /// before (Pa, per reference volume): the trapezoidal plastic power, less what the change of moduli and of
 /// the unloaded volume adds to the stored energy at fixed strain.
 template <fe::Element E>
-double accept(PointFlow<E>&, const PointFlow<E>& before, const material::Model&, const fe::Response<E>&, int point);
+double accept(PointFlow<E>&, const PointFlow<E>& before, const material::Model&, const fe::Response<E>&,
+              int point);
 
 } // namespace platen::press

@@ -3,7 +3,8 @@
 
 namespace platen::press {
 
-Hydrostatic::Hydrostatic() : ByOverlap{.delta_bar_max = hydrostatic_zero_porosity(), .elements = 5000} {}
+Hydrostatic::Hydrostatic()
+    : ByOverlap{.delta_bar_max = hydrostatic_zero_porosity(), .elements = 5000, .step_max = 0.01} {}
 
 const CardFields<Hydrostatic>& card_fields(const Hydrostatic*) {
   static const CardFields<Hydrostatic> fields = confined_fields<Hydrostatic>("0.194");
@@ -12,13 +13,19 @@ const CardFields<Hydrostatic>& card_fields(const Hydrostatic*) {
 
 // How far the cell may close depends on the material.
 void check(const Hydrostatic& e, const material::Material& material, const Places& at) {
-  check_cell(material, {e.delta_bar_max, e.delta_bar_max, e.delta_bar_max}, at.path("delta_bar_max", e.delta_bar_max));
+  check_cell(material, {e.delta_bar_max, e.delta_bar_max, e.delta_bar_max},
+             at.path("delta_bar_max", e.delta_bar_max));
   check_path(e, at);
 }
 
 WedgePlan plan(const Hydrostatic& e) {
   WedgePlan plan = confined_plan(fe::Wedge::forty_eighth, e.elements, {true, true, true},
-                                 {[](double t) { return std::array{t, t, t}; }, {}, {}}, e.step_max);
+                                 {[](double t) {
+                                    return std::array{t, t, t};
+                                  },
+                                  {},
+                                  {}},
+                                 e.step_max);
   plan.halts = halts_of(e);
   return plan;
 }

@@ -54,8 +54,10 @@ SectionPlan plan(const Local& e) {
   // The first step presses a contact of half the smallest resolved radius; then the radius grows by half as
   // much as delta, about an edge a step.
   const double first = 0.5 * e.first_contact_bar;
-  plan.steps = {.first = first * first, .relative_max = 0.08, .smallest = 1e-12, .unloading = 30, .separated = 1e-3};
-  plan.halts = {e.delta_bar_max, e.force_max_N, e.unload_from, e.fields_at, e.unload_from_N, e.fields_at_N, e.reload};
+  plan.steps = {
+      .first = first * first, .relative_max = 0.08, .smallest = 1e-12, .unloading = 30, .separated = 1e-3};
+  plan.halts = {e.delta_bar_max, e.force_max_N, e.unload_from, e.fields_at,
+                e.unload_from_N, e.fields_at_N, e.reload};
   return plan;
 }
 

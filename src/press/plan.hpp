@@ -18,14 +18,14 @@ struct Motion {
   std::vector<char> retreats;                               ///< whether the planes move apart up to a turn
 };
 
-/// Steps of time. The contact starts as a point, with infinitely many changes of the contact near 0: so a first
-/// step, and the largest in relation to the time.
+/// Steps of time. The contact starts as a point, with infinitely many changes of the contact near 0: so a
+/// first step, and the largest in relation to the time.
 struct StepRule {
   double first = 0, relative_max = 0;
   double largest = std::numeric_limits<double>::infinity();
-  double growth = 1.5;    ///< from one to the next
-  double smallest = 1e-7; ///< below it a step is given up
-  int unloading = 24;     ///< about as many steps has a branch
+  double growth = 1.5;     ///< from one to the next
+  double smallest = 1e-7;  ///< below it a step is given up
+  int unloading = 24;      ///< about as many steps has a branch
   double separated = 2e-3; ///< a branch ends below this share of the force it started from
 };
 
@@ -42,9 +42,9 @@ template <fe::Element E> struct Plan {
   Mesh mesh = {};
   std::vector<fe::Vector<Mesh::dim>> normals = {}; ///< of the planes that are no images of others
   std::vector<int> copies = {};                    ///< of the mesh, that press on each
-  std::array<int, 3> plane_of{0, -1, -1};     ///< along z, x, y; images count as what they are of; -1: none
-  double halves = 1;                          ///< meshes in half a sphere
-  int equator_node = 0;                       ///< on the x axis, or an image of it
+  std::array<int, 3> plane_of{0, -1, -1}; ///< along z, x, y; images count as what they are of; -1: none
+  double halves = 1;                      ///< meshes in half a sphere
+  int equator_node = 0;                   ///< on the x axis, or an image of it
   fe::ContactRule contact = {};
   fe::NewtonSettings newton = {};
   Motion motion = {};

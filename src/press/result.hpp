@@ -15,8 +15,8 @@ using material::Zone;
 /// The zone that most points are in; of equally many the later one, rather plastic than elastic.
 Zone prevailing(std::span<const Zone>);
 
-/// A picture of the deformed mesh: lengths in units of R0, element means. Of a section (r, z): the plane above
-/// at z = 1 - delta_bar, the equator at z = 0, the axis at r = 0.
+/// A picture of the deformed mesh: lengths in units of R0, element means. Of a section (r, z): the plane
+/// above at z = 1 - delta_bar, the equator at z = 0, the axis at r = 0.
 template <fe::Element E> struct SnapshotOf {
   using Mesh = typename E::Mesh;
   double delta_bar = 0; ///< of a triaxial press the way gone
@@ -68,6 +68,13 @@ struct Statistics {
   int quadratic_steps = 0;      ///< smooth steps whose residuals fell quadratically
 };
 
+/// Of force and contact radius of the loading, relative, against the limit of fine meshes
+/// (press/estimate.hpp).
+struct ErrorEstimate {
+  double force, radius;
+  int elements, coarse_elements;
+};
+
 struct Result {
   Curve curve;
   std::vector<Snapshot> snapshots;      ///< of a section
@@ -76,6 +83,7 @@ struct Result {
   std::vector<std::string> flags; ///< plain sentences: "relative density capped at 1 in ... of the volume"
   std::optional<std::string> failure; ///< set when the press stopped early: at which delta_bar, and why
   bool interrupted = false;           ///< the callback asked to stop
+  std::optional<ErrorEstimate> error; ///< where it was asked for
   // Of the local press:
   std::optional<Onset> axis; ///< first yield within 0.1 a of the axis
   std::optional<Onset> edge; ///< of the free surface at the contact edge

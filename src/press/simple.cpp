@@ -33,7 +33,8 @@ SectionPlan plan(const Simple& e) {
 }
 
 WedgePlan plan_in_space(const Simple& e) {
-  WedgePlan plan = confined_plan(fe::Wedge::sixteenth, e.elements, {true, false, false}, upright(), e.step_max);
+  WedgePlan plan =
+      confined_plan(fe::Wedge::sixteenth, e.elements, {true, false, false}, upright(), 2 * e.step_max);
   plan.halts = halts_of(e);
   return plan;
 }

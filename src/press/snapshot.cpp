@@ -16,7 +16,8 @@ Zone prevailing(std::span<const Zone> points) {
   return static_cast<Zone>(count.rend() - std::max_element(count.rbegin(), count.rend()) - 1);
 }
 
-template <fe::Element E> SnapshotOf<E> snapshot(const Stepper<E>& stepper, const State<E>& state, Branch branch) {
+template <fe::Element E>
+SnapshotOf<E> snapshot(const Stepper<E>& stepper, const State<E>& state, Branch branch) {
   constexpr int dim = E::Mesh::dim;
   const fe::Solid<E>& solid = stepper.solid();
   const fe::Response<E>& response = stepper.response();
@@ -70,7 +71,8 @@ template <fe::Element E> SnapshotOf<E> snapshot(const Stepper<E>& stepper, const
   return s;
 }
 template SnapshotOf<fe::Quad> snapshot(const Stepper<fe::Quad>&, const State<fe::Quad>&, Branch);
-template SnapshotOf<fe::Hexahedron> snapshot(const Stepper<fe::Hexahedron>&, const State<fe::Hexahedron>&, Branch);
+template SnapshotOf<fe::Hexahedron> snapshot(const Stepper<fe::Hexahedron>&, const State<fe::Hexahedron>&,
+                                             Branch);
 
 PressureProfile profile(const Stepper<fe::Quad>& stepper, const State<fe::Quad>& state) {
   PressureProfile p{state.row.force_N, state.row.contact_radius_m, {}};

@@ -92,6 +92,11 @@ Json summary_of(const Case& c, const Result& result) {
   summary["largest_tension"] = json_of(largest_tension(result.curve));
   summary["fracture"] = fracture_of(c, result.curve);
   summary["flags"] = result.flags;
+  if (const auto& e = result.error)
+    summary["error_estimate"] = {{"force_relative", e->force},
+                                 {"contact_radius_relative", e->radius},
+                                 {"elements", e->elements},
+                                 {"coarse_elements", e->coarse_elements}};
   summary["statistics"] = json_of(result.statistics);
   return summary;
 }

@@ -65,8 +65,8 @@ const CardFields<Triaxial>& card_fields(const Triaxial*) {
       {{"delta_bar", &Triaxial::delta_bar_z,
         "delta/R0 of the planes along z, waypoint by waypoint; the planes go straight from one to the next",
         core::right_open(0, 1)},
-       Field<Triaxial>{"delta_bar_x", &Triaxial::delta_bar_x, "the same along x; without it there are no planes",
-                       core::right_open(0, 1)}
+       Field<Triaxial>{"delta_bar_x", &Triaxial::delta_bar_x,
+                       "the same along x; without it there are no planes", core::right_open(0, 1)}
            .optional(),
        Field<Triaxial>{"delta_bar_y", &Triaxial::delta_bar_y, "the same along y", core::right_open(0, 1)}
            .optional()},
@@ -81,8 +81,8 @@ void check(const Triaxial& e, const material::Material& material, const Places& 
   const std::size_t n = e.delta_bar_z.size();
   for (const auto& [list, key] : {std::pair{&e.delta_bar_x, "delta_bar_x"}, {&e.delta_bar_y, "delta_bar_y"}})
     if (!list->empty() && list->size() != n)
-      throw core::InvalidInput(
-          fmt::format("{} has {} waypoints and delta_bar has {}; give as many", at.path(key), list->size(), n));
+      throw core::InvalidInput(fmt::format("{} has {} waypoints and delta_bar has {}; give as many",
+                                           at.path(key), list->size(), n));
   if (n == 0) throw core::InvalidInput(fmt::format("{} needs a waypoint", at.path("delta_bar")));
   const History h = history_of(e);
   for (std::size_t i = 1; i <= n; ++i) {

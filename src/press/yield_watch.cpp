@@ -97,7 +97,8 @@ void YieldWatch::look_for_onset(const Stepper& stepper, const State& state) {
 double YieldWatch::edge_reserve(const Stepper& stepper, const State& state) const {
   const fe::SectionMesh& mesh = stepper.solid().mesh;
   const std::vector<double> u = stepper.displacement(state);
-  const double E = material::initial_E(stepper.solid().model), nu = material::initial_nu(stepper.solid().model);
+  const double E = material::initial_E(stepper.solid().model),
+               nu = material::initial_nu(stepper.solid().model);
   const double a = state.row.contact_radius_m / stepper.radius_m;
   const auto place = [&](int node) {
     return std::array{mesh.nodes[node][0] + u[2 * node], mesh.nodes[node][1] + u[2 * node + 1]};
@@ -172,7 +173,7 @@ void YieldWatch::report(Result& result) const {
   if (axis.met) result.axis = axis.last;
   if (edge.met) result.edge = edge.last;
   if ((axis.met && !axis.last) || (edge.met && !edge.last))
-    result.flags.push_back(
+    result.flags.emplace_back(
         "first yield comes before the smallest contact that the mesh resolves, so no onset is "
         "told: lower first_contact_bar");
   result.break_through = broken;

@@ -76,12 +76,7 @@ void add_branch(std::vector<GridPoint>& rows, const press::Curve& curve,
       return Contact{at([&](const CurvePoint& p) { return p.plane(plane).force_N; }) / unit,
                      at([&](const CurvePoint& p) { return p.plane(plane).contact_radius_m; }) / R};
     };
-    GridPoint row{points.front().branch_id,
-                  points.front().branch,
-                  grid[i],
-                  contact(0),
-                  {},
-                  {}};
+    GridPoint row{points.front().branch_id, points.front().branch, grid[i], contact(0), {}, {}};
     if (x_walls) row.x = contact(1);
     if (y_walls) row.y = contact(2);
     rows.push_back(row);

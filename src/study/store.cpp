@@ -108,7 +108,8 @@ void remove_if_stale(const fs::path& claim) {
 
 std::string key_of(const press::Case& c, int engine) {
   constexpr int schema = 1; // raised when what names a run changes, though its result does not
-  return core::sha256(fmt::format("schema = {}\nengine = {}\n{}", schema, engine, press::case_identity(c))).substr(0, 32);
+  return core::sha256(fmt::format("schema = {}\nengine = {}\n{}", schema, engine, press::case_identity(c)))
+      .substr(0, 32);
 }
 
 Claim::~Claim() {
@@ -215,8 +216,7 @@ void Store::keep(const std::string& key, const press::Case& c, const press::Resu
     fs::create_directories(folder);
     core::write_file(folder / "case.toml", press::case_text(c));
     press::write_curve(result.curve, folder / "curve.csv");
-    core::write_file(folder / "summary.json",
-                     press::summary_json(c, result));
+    core::write_file(folder / "summary.json", press::summary_json(c, result));
     core::write_file(folder / "cost.txt", fmt::format("{:.3f} {:.3f}\n", cost.cpu_s, cost.wall_s));
     if (result.failure) core::write_file(folder / "failure.txt", *result.failure + "\n");
     fs::rename(folder, run(key), error);

@@ -1,9 +1,9 @@
 #include "study/work.hpp"
 
-#include "press/press.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "core/say.hpp"
+#include "press/press.hpp"
 
 #include <fmt/format.h>
 #include <sys/prctl.h>

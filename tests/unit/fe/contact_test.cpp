@@ -16,7 +16,8 @@ using fe::Contact, fe::ContactMemory, fe::ContactRule;
 namespace {
 
 const material::Model elastic = material::Elastic{1, 0.3};
-const std::vector<ContactRule> rules{{}, {.uniform = true}, {.flat_faces = true}, {.uniform = true, .flat_faces = true}};
+const std::vector<ContactRule> rules{
+    {}, {.uniform = true}, {.flat_faces = true}, {.uniform = true, .flat_faces = true}};
 
 /// A contact, where its planes lie, and a displacement under which they touch.
 template <class Mesh> struct Pressed {
@@ -97,7 +98,9 @@ template <class Mesh> void expect_tangent_of_the_forces(const Pressed<Mesh>& p) 
     ++compared;
     std::vector<double> exact(d.size());
     for (std::size_t e = 0; e < p.mesh.elements.size(); ++e) {
-      const auto component = [&](int k) { return Mesh::dim * p.mesh.elements[e][k / Mesh::dim] + k % Mesh::dim; };
+      const auto component = [&](int k) {
+        return Mesh::dim * p.mesh.elements[e][k / Mesh::dim] + k % Mesh::dim;
+      };
       for (int j = 0; j < size; ++j)
         for (int i = 0; i < size; ++i)
           exact[component(i)] += matrices[size * size * e + size * j + i] * d[component(j)];
@@ -196,7 +199,8 @@ TEST(Contact, BeginsWithHertzsPressureAndRemembersTheHighest) {
   const auto more = p.contact.extended(first, std::vector{patch}, p.heights);
   EXPECT_NEAR(more.pressure_scale, 0.1 / (std::numbers::pi * 0.04), 1e-15);
   EXPECT_EQ(more.largest_radius, 0.2);
-  const auto less = p.contact.extended(more, std::vector{fe::ContactPatch{.force = 0.01, .radius = 0.1}}, p.heights);
+  const auto less =
+      p.contact.extended(more, std::vector{fe::ContactPatch{.force = 0.01, .radius = 0.1}}, p.heights);
   EXPECT_EQ(less.pressure_scale, more.pressure_scale);
   EXPECT_EQ(less.largest_radius, more.largest_radius);
 }
@@ -222,7 +226,8 @@ TEST(Contact, FlatFacesCarryWhatTheSphereOverThemDoes) {
   // Where all of a face penetrates and its stiffness is even, its force is that of the mean distance.
   const auto flat = wedge({.uniform = true, .flat_faces = true}), round = wedge({.uniform = true});
   const std::vector<double> still(flat.u.size());
-  const auto on = flat.contact.pressures(0, still, 0.9, flat.memory), under = round.contact.pressures(0, still, 0.9, round.memory);
+  const auto on = flat.contact.pressures(0, still, 0.9, flat.memory),
+             under = round.contact.pressures(0, still, 0.9, round.memory);
   int compared = 0;
   for (const auto& a : on)
     for (const auto& b : under)
@@ -246,7 +251,8 @@ TEST(Contact, FlatFacesAreNoStifferThanLetsThemTakeTheSpheresPlace) {
     for (const auto& point : surface.faces[f.face].point) {
       area += point.area;
       sphere += point.area * depth(point.X);
-      for (int a = 0; a < 4; ++a) face += point.area * point.N[a] * depth(p.mesh.nodes[p.mesh.surface[f.face][a]]);
+      for (int a = 0; a < 4; ++a)
+        face += point.area * point.N[a] * depth(p.mesh.nodes[p.mesh.surface[f.face][a]]);
     }
     const double misfit = (face - sphere) / area, penetration = 0.1 - sphere / area;
     EXPECT_GT(misfit, 0);

@@ -93,17 +93,18 @@ TEST(Dissection, SolvesForRightHandSidesOfAnySize) {
 }
 
 TEST(Dissection, OfADenseMatrixCostsAsLUDoes) {
-  // 2/3 n^3 additions and multiplications against a solution's n^2 entries, at 24 an entry; and two and a half
-  // times its entries.
+  // 2/3 n^3 additions and multiplications against a solution's n^2 entries, at 24 an entry; and two and a
+  // half times its entries.
   for (const int per_node : {1, 3}) {
     const auto e = test::block(1, 1, 1, per_node);
-    EXPECT_NEAR(Dissection(e.unknowns, e.lists, e.middles).factorisation_cost(), 2.0 / 3 * e.unknowns / 24 + 2.5, 1e-12);
+    EXPECT_NEAR(Dissection(e.unknowns, e.lists, e.middles).factorisation_cost(),
+                2.0 / 3 * e.unknowns / 24 + 2.5, 1e-12);
   }
 }
 
 TEST(Dissection, CostsLessThanABandMatrixWould) {
-  // George (1973): of n x n squares n^3 for the factors over n^2 log n for a solution; of a band n^4 over n^3, twice
-  // as many solutions for twice as many squares a side.
+  // George (1973): of n x n squares n^3 for the factors over n^2 log n for a solution; of a band n^4 over
+  // n^3, twice as many solutions for twice as many squares a side.
   const auto cost = [](int n) {
     const auto e = test::block(n, n, 0, 2);
     return Dissection(e.unknowns, e.lists, e.middles).factorisation_cost();

@@ -126,7 +126,8 @@ TEST(SphereWedge, SurfaceIsOnTheSphereAndMirrorsOnTheirPlanes) {
     for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
       if (!mirrored[i] && fe::norm(mesh.nodes[i]) < 1 - 1e-9) {
         int cells = 0;
-        for (const auto& hex : mesh.elements) cells += std::count(hex.begin(), hex.end(), static_cast<int>(i));
+        for (const auto& hex : mesh.elements)
+          cells += std::count(hex.begin(), hex.end(), static_cast<int>(i));
         EXPECT_TRUE(cells == 8 || cells == 4 || cells == 6) << cells;
       }
   }
@@ -204,6 +205,7 @@ TEST(Hexahedron, ForcesAreTheDerivativeOfTheStoredEnergy) {
 TEST(Hexahedron, SaysWhenAnElementTurnsInsideOut) {
   auto held = wedge(material::Elastic{1, 0.3});
   std::vector<double> u(3 * held.solid.mesh.nodes.size());
-  for (std::size_t i = 0; i < held.solid.mesh.nodes.size(); ++i) u[3 * i + 2] = -1.5 * held.solid.mesh.nodes[i][2];
+  for (std::size_t i = 0; i < held.solid.mesh.nodes.size(); ++i)
+    u[3 * i + 2] = -1.5 * held.solid.mesh.nodes[i][2];
   EXPECT_EQ(held.evaluate(u), fe::Evaluation::inverted_element);
 }

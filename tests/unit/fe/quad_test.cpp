@@ -184,6 +184,7 @@ TEST(Quad, ForcesAreTheDerivativeOfTheStoredEnergy) {
 TEST(Quad, SaysWhenAnElementTurnsInsideOut) {
   Held<fe::Quad> held(fe::quarter_disc(40), material::Elastic{1, 0.3});
   std::vector<double> u(held.solid.components());
-  for (std::size_t i = 0; i < held.solid.mesh.nodes.size(); ++i) u[2 * i + 1] = -1.5 * held.solid.mesh.nodes[i][1];
+  for (std::size_t i = 0; i < held.solid.mesh.nodes.size(); ++i)
+    u[2 * i + 1] = -1.5 * held.solid.mesh.nodes[i][1];
   EXPECT_EQ(held.evaluate(u), fe::Evaluation::inverted_element);
 }

@@ -19,7 +19,8 @@ const material::VonMises metal{100, 0.3, 1};
 template <class Mesh> std::vector<double> flattened(const Mesh& mesh, double by) {
   std::vector<double> u;
   for (const auto& X : mesh.nodes)
-    for (int k = 0; k < Mesh::dim; ++k) u.push_back((k + 1 == Mesh::dim ? -by : by / 2) * X[k] * (1 + 0.2 * X[0]));
+    for (int k = 0; k < Mesh::dim; ++k)
+      u.push_back((k + 1 == Mesh::dim ? -by : by / 2) * X[k] * (1 + 0.2 * X[0]));
   return u;
 }
 
@@ -51,8 +52,8 @@ template <fe::Element E> void expect_pure(const typename E::Mesh& mesh) {
 }
 
 /// Signs of the natural coordinates of the corners, in the order of fe/mesh.hpp.
-constexpr std::array<fe::Vector3, 8> corners{{{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1},
-                                              {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
+constexpr std::array<fe::Vector3, 8> corners{
+    {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
 
 template <fe::Element E> void expect_isoparametric_places(const typename E::Mesh& mesh) {
   const fe::Solid<E> solid(mesh, metal);

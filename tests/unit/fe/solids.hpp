@@ -14,7 +14,8 @@ template <fe::Element E> struct Held {
   std::vector<double> tangent;
 
   Held(typename E::Mesh mesh, const material::Model& model)
-      : solid(std::move(mesh), model), start(solid.points()), tangent(E::unknowns * E::unknowns * solid.elements()) {}
+      : solid(std::move(mesh), model), start(solid.points()),
+        tangent(E::unknowns * E::unknowns * solid.elements()) {}
 
   fe::Evaluation evaluate(const std::vector<double>& u) { return solid.evaluate(u, start, response); }
   void linearise(double added = 0) { solid.linearise(response, added, tangent); }
@@ -31,7 +32,8 @@ template <fe::Element E> std::vector<material::Zone> zones(const Held<E>& held) 
 }
 
 /// Displacement components of an element, in the order of its forces.
-template <fe::Element E> std::array<int, E::unknowns> components(const std::array<int, E::Mesh::corners>& element) {
+template <fe::Element E>
+std::array<int, E::unknowns> components(const std::array<int, E::Mesh::corners>& element) {
   std::array<int, E::unknowns> list;
   for (int i = 0; i < E::unknowns; ++i) list[i] = E::Mesh::dim * element[i / E::Mesh::dim] + i % E::Mesh::dim;
   return list;

@@ -8,8 +8,8 @@
 
 using namespace platen;
 
-// Ceres brings ATLAS with it, which the solver would take were it found first: presses would be 1.2 to 1.7 times
-// as long.
+// Ceres brings ATLAS with it, which the solver would take were it found first: presses would be 1.2 to 1.7
+// times as long.
 TEST(Dissection, ComputesWithOpenBlasBesideCeres) {
   const std::vector<std::vector<int>> element = {{0, 1}};
   fe::Dissection solver(2, element, std::vector<fe::Vector3>{{}}); // or the linker would leave it out

@@ -149,7 +149,7 @@ TEST(AgarwalFit, ReadsTheSidesOfAParticle) {
   EXPECT_FALSE(fit::side_onset(curve));
 
   curve = made(all[1], published(LoadingCase::die)); // pi^2 a^2/(144 (1 - x)^2) = 0.0593 at a = 1.2 x R
-  for (auto& p : curve.points) p.contact_radius_x_m = 1.2 * p.delta_bar * curve.radius_m;
+  for (auto& p : curve.points) p.side[0].contact_radius_m = 1.2 * p.delta_bar * curve.radius_m;
   const auto onset = fit::side_onset(curve);
   ASSERT_TRUE(onset);
   const double root = 12 * std::sqrt(0.0593) / std::numbers::pi; // 1.2 x = root (1 - x)

@@ -31,7 +31,8 @@ std::string refusal(const press::Experiment& e, double radius_m = 1e-3) {
   return "nothing was refused";
 }
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN(),
+                 infinite = std::numeric_limits<double>::infinity();
 
 #define EXPECT_REFUSED(message, words) EXPECT_NE((message).find(words), std::string::npos) << (message)
 
@@ -112,19 +113,19 @@ TEST(CaseCard, ThatWasNeverACardIsCheckedTheSame) {
 
 TEST(CaseCard, ThatWasNeverACardIsRefusedForWhatIsNoNumber) {
   EXPECT_EQ(refusal(press::Simple{}), "nothing was refused");
-  EXPECT_REFUSED(refusal(press::Simple{}, nan), "radius_m");
+  EXPECT_REFUSED(refusal(press::Simple{}, no_number), "radius_m");
   EXPECT_REFUSED(refusal(press::Simple{}, infinite), "radius_m");
   press::Simple e;
-  e.delta_bar_max = nan;
+  e.delta_bar_max = no_number;
   EXPECT_REFUSED(refusal(e), "delta_bar_max");
   e = {};
-  e.step_max = nan;
+  e.step_max = no_number;
   EXPECT_REFUSED(refusal(e), "step_max");
   e = {};
-  e.fields_at = {0.1, nan};
+  e.fields_at = {0.1, no_number};
   EXPECT_REFUSED(refusal(e), "fields_at");
   press::Local local;
-  local.force_max_N = nan;
+  local.force_max_N = no_number;
   EXPECT_REFUSED(refusal(local), "force_max_N");
   local.force_max_N = infinite; // a force without limit is one that may be asked for
   EXPECT_EQ(refusal(local), "nothing was refused");
@@ -187,7 +188,8 @@ TEST(CaseIdentity, LeavesOutWhatIsAsItIsByDefault) {
     EXPECT_EQ(plain.find(key), std::string::npos) << key;
     EXPECT_NE(press::case_text(read(head)).find(key), std::string::npos) << key;
   }
-  EXPECT_EQ(press::case_identity(read(head + "[path]\ndelta_bar_max = 0.5\n[mesh]\nelements = 2500\n")), plain);
+  EXPECT_EQ(press::case_identity(read(head + "[path]\ndelta_bar_max = 0.5\n[mesh]\nelements = 2500\n")),
+            plain);
 }
 
 TEST(CaseIdentity, IsOfTheMaterialTheRadiusAndTheExperiment) {

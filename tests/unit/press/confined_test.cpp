@@ -38,8 +38,8 @@ std::string message_of(const char* card) {
 } // namespace
 
 TEST(Confined, WorkIsStoredOrDissipated) {
-  for (const auto& c :
-       {small_case<press::Simple>(0.06), small_case<press::Die>(0.06), small_case<press::Hydrostatic>(0.06)}) {
+  for (const auto& c : {small_case<press::Simple>(0.06), small_case<press::Die>(0.06),
+                        small_case<press::Hydrostatic>(0.06)}) {
     const bool simple = std::holds_alternative<press::Simple>(c.experiment);
     const auto result = simple ? press::press_in_space(c) : press::press(c);
     EXPECT_FALSE(result.failure) << *result.failure;

@@ -98,7 +98,8 @@ TEST(FieldsVtu, AreNamedByTheirOverlap) {
   press::Snapshot s;
   s.delta_bar = 0.1;
   EXPECT_EQ(press::fields_name(s.delta_bar), "fields-0.1.vtu");
-  EXPECT_NE(press::fields_series(std::vector{s}).find("<DataSet timestep=\"0.1\" part=\"0\" file=\"fields-0.1.vtu\"/>"),
+  EXPECT_NE(press::fields_series(std::vector{s})
+                .find("<DataSet timestep=\"0.1\" part=\"0\" file=\"fields-0.1.vtu\"/>"),
             std::string::npos);
 }
 
@@ -106,7 +107,8 @@ TEST(Snapshot, LosesPlasticVolumeWhereDensityGrows) {
   // rho_r = rho_r0 exp(-eps_v^p) of the volumetric plastic strain (ES eq. 3a): C_p^-1 and phi must agree.
   const auto result = pressed(granule, 0.1);
   const auto& s = result.snapshots.front();
-  for (std::size_t e = 0; e < s.elements.size(); ++e) ASSERT_NEAR(s.plastic_strain_v[e], -s.phi[e], 1e-9) << e;
+  for (std::size_t e = 0; e < s.elements.size(); ++e)
+    ASSERT_NEAR(s.plastic_strain_v[e], -s.phi[e], 1e-9) << e;
 }
 
 TEST(Snapshot, HasNoPlasticStrainInAnElasticSphere) {

@@ -25,7 +25,8 @@ PointFlow<fe::Quad> flowing(double e) {
 
 constexpr double E = 100, nu = 0.3, sigma_y = 1, G = E / (2 * (1 + nu));
 
-/// Displacements of an isochoric stretch exp(e) of z; the section narrows alike, a body in space along x alone.
+/// Displacements of an isochoric stretch exp(e) of z; the section narrows alike, a body in space along x
+/// alone.
 template <class Mesh> std::vector<double> stretched(const Mesh& mesh, double e) {
   std::vector<double> u;
   for (const auto& X : mesh.nodes) {
@@ -36,7 +37,8 @@ template <class Mesh> std::vector<double> stretched(const Mesh& mesh, double e) 
   return u;
 }
 
-/// Uniform flow of a perfectly plastic metal dissipates sigma_y a strain: from yield on, then over a whole step.
+/// Uniform flow of a perfectly plastic metal dissipates sigma_y a strain: from yield on, then over a whole
+/// step.
 template <fe::Element X> void expect_plastic_power(const typename X::Mesh& mesh, double eps_q_over_e) {
   const fe::Solid<X> solid(mesh, material::VonMises{E, nu, sigma_y});
   fe::Response<X> response;
@@ -107,7 +109,8 @@ TEST(Flow, OfAnElasticPointDissipatesNothing) {
   const fe::Solid<fe::Quad> solid(fe::quarter_disc(40), material::VonMises{E, nu, sigma_y});
   fe::Response<fe::Quad> response;
   const std::vector<fe::Quad::State> start(solid.points());
-  ASSERT_EQ(solid.evaluate(stretched(solid.mesh, 0.9 * sigma_y / (3 * G)), start, response), fe::Evaluation::done);
+  ASSERT_EQ(solid.evaluate(stretched(solid.mesh, 0.9 * sigma_y / (3 * G)), start, response),
+            fe::Evaluation::done);
   for (int i = 0; i < solid.points(); ++i) {
     PointFlow<fe::Quad> flow;
     EXPECT_EQ(press::accept(flow, PointFlow<fe::Quad>{}, solid.model, response, i), 0);

@@ -19,5 +19,6 @@ TEST(Prevailing, OfEquallyManyIsTheLaterOne) {
   EXPECT_EQ(prevailing(std::array{shear, elastic, shear, elastic}), shear);
   EXPECT_EQ(prevailing(std::array{shear, compaction}), compaction);
   EXPECT_EQ(prevailing(std::array{tension, compaction, shear, elastic}), tension);
-  EXPECT_EQ(prevailing(std::array{elastic, elastic, elastic, tension, tension, tension, shear, shear}), tension);
+  EXPECT_EQ(prevailing(std::array{elastic, elastic, elastic, tension, tension, tension, shear, shear}),
+            tension);
 }

@@ -64,7 +64,7 @@ template <fe::Element E> void expect_same(const press::State<E>& a, const press:
   EXPECT_EQ(a.row.iterations, b.row.iterations);
 }
 
-template <fe::Element E> void expect_repeatable(press::Stepper<E> && stepper) {
+template <fe::Element E> void expect_repeatable(press::Stepper<E>&& stepper) {
   const auto state = loaded(stepper, 0.02, 8), copy = state;
   stepper.forget();
   const auto first = stepper(state, 0.0225);
@@ -108,8 +108,8 @@ TEST(Stepper, SaysWhyAStepFailed) {
 }
 
 TEST(Stepper, MovesTheEquatorOfAHydrostaticPressWithItsPlanes) {
-  // The equator is the pole of the plane along x: it lies on the plane, up to the penetration and the flatness
-  // of the faces around it.
+  // The equator is the pole of the plane along x: it lies on the plane, up to the penetration and the
+  // flatness of the faces around it.
   auto stepper = hydrostatic();
   const auto state = loaded(stepper, 0.04, 10);
   const auto& row = state.row;

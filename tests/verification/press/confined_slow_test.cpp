@@ -77,7 +77,7 @@ TEST(ConfinedPress, BeyondZeroPorosityTheCellIsAsStiffAsTheMaterial) {
   for (const std::string experiment : {"hydrostatic", "die"}) {
     const bool die = experiment == "die";
     const auto result = press::press(die ? case_of<press::Die>(metal, 0.5287, 1300)
-                                       : case_of<press::Hydrostatic>(metal, 0.2218, 1300));
+                                         : case_of<press::Hydrostatic>(metal, 0.2218, 1300));
     ASSERT_FALSE(result.failure);
     const std::array<double, 5> volumes{1, 0.975, 0.95, 0.925, 0.901};
     std::vector<double> stress;
