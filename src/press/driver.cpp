@@ -41,18 +41,21 @@ Curve begun_curve(const Case& c) {
   return curve;
 }
 
+/// Halts that differ by rounding are one: a step of nothing would be continued to anywhere.
+bool same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); }
+
 /// Where loading halts, ascending: each of both lists, and the end.
 std::vector<double> halts(std::vector<double> some, const std::vector<double>& others, double end) {
   some.insert(some.end(), others.begin(), others.end());
-  some.push_back(end);
+  std::erase_if(some, [end](double x) { return !(x < end) || same(x, end); });
   std::sort(some.begin(), some.end());
-  some.erase(std::unique(some.begin(), some.end()), some.end());
-  while (some.back() > end) some.pop_back();
+  some.erase(std::unique(some.begin(), some.end(), same), some.end());
+  some.push_back(end);
   return some;
 }
 
 bool wanted(const std::vector<double>& list, double x) {
-  return std::find(list.begin(), list.end(), x) != list.end();
+  return std::any_of(list.begin(), list.end(), [x](double y) { return same(y, x) || y == x; });
 }
 
 template <fe::Element E> class Driver {

@@ -106,10 +106,13 @@ void remove_if_stale(const fs::path& claim) {
 
 } // namespace
 
-std::string key_of(const press::Case& c, int engine) {
+std::string identity_of(const press::Case& c, int engine) {
   constexpr int schema = 1; // raised when what names a run changes, though its result does not
-  return core::sha256(fmt::format("schema = {}\nengine = {}\n{}", schema, engine, press::case_identity(c)))
-      .substr(0, 32);
+  return fmt::format("schema = {}\nengine = {}\n{}", schema, engine, press::case_identity(c));
+}
+
+std::string key_of(const press::Case& c, int engine) {
+  return core::sha256(identity_of(c, engine)).substr(0, 32);
 }
 
 Claim::~Claim() {
@@ -215,6 +218,7 @@ void Store::keep(const std::string& key, const press::Case& c, const press::Resu
   try {
     fs::create_directories(folder);
     core::write_file(folder / "case.toml", press::case_text(c));
+    core::write_file(folder / "identity.txt", identity_of(c));
     press::write_curve(result.curve, folder / "curve.csv");
     core::write_file(folder / "summary.json", press::summary_json(c, result));
     core::write_file(folder / "cost.txt", fmt::format("{:.3f} {:.3f}\n", cost.cpu_s, cost.wall_s));

@@ -13,7 +13,11 @@
 
 namespace platen::study {
 
-/// SHA-256 of the resolved case and the engine number, in 32 digits.
+/// What names a run: a schema number, the engine, and what of its case differs from the defaults. Kept beside
+/// each run as identity.txt.
+std::string identity_of(const press::Case&, int engine = core::engine);
+
+/// SHA-256 of that, in 32 digits.
 std::string key_of(const press::Case&, int engine = core::engine);
 
 /// The right to press one run; given back when it goes out of scope.

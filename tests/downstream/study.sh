@@ -228,7 +228,7 @@ refuses 2 "is no run store" "$platen" study merge study.toml --store third --fro
 cp -r whole older
 echo "1 small" >older/study.txt
 for run in older/runs/*; do # the keys that engine 1 would have given
-  mv "$run" "older/runs/$( (echo 'engine = 1' && cat "$run/case.toml") | sha256sum | head -c 32)"
+  mv "$run" "older/runs/$(sed 's/^engine = .*/engine = 1/' "$run/identity.txt" | sha256sum | head -c 32)"
 done
 mkdir older-pool && cp study.toml older-pool
 "$platen" study export study.toml --store older -o older-pool/runs.csv --curves older-pool/curves.csv

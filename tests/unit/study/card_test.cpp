@@ -100,11 +100,11 @@ TEST_F(StudyCard, MaterialMayBeAFactor) {
 }
 
 TEST_F(StudyCard, KeysAreThoseOfTheStoresThatAreThere) {
-  // Filled by the program as it was before designs and other experiments came: engine 4, the first ES run.
+  // As engine 6 named them: a new key with a default must not name them otherwise.
   const auto s = study::read_study(source + "/catalogue/pools/edmans-sinka/study.toml");
   ASSERT_EQ(s.runs.size(), 160u);
-  EXPECT_EQ(study::key_of(s.runs[0].press_case, 4), "315adf8c29ce50531afdf73036628c94");
-  EXPECT_EQ(study::key_of(s.runs[12].press_case, 4), "86344422c76c75e1424983e94ba6182a");
+  EXPECT_EQ(study::key_of(s.runs[0].press_case, 6), "7a593d016b74167cad07b05842f62acf");
+  EXPECT_EQ(study::key_of(s.runs[12].press_case, 6), "c10801cacb3f870ad3372a70fd142266");
 }
 
 TEST_F(StudyCard, RefusesDesignsThatAreNone) {
