@@ -100,8 +100,9 @@ template <fe::Element E> class Driver {
     double step = rule.first;
     while (force != forces.cend() && time != times.cend()) {
       const double here = state.time;
-      double next = here + std::min(step, std::max(rule.first, rule.relative_max * here));
-      if (next > *time - 0.3 * step) next = *time; // no sliver before a halt
+      const double reach = std::min(step, std::max(rule.first, rule.relative_max * here));
+      double next = here + reach;
+      if (next > *time - 0.3 * reach) next = *time; // no sliver before a halt
       auto reached = take(state, next);
       if (!reached) {
         step = (next - here) / 2;

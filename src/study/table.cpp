@@ -148,8 +148,9 @@ std::vector<std::string> fitted_laws() {
 
 /// Where the runs of a study unload, by overlap.
 std::vector<double> unloading_of(const press::Case& c) {
-  const press::ByOverlap* path = press::by_overlap(c.experiment);
-  return path ? path->unload_from : std::vector<double>{};
+  if (const auto* path = press::by_overlap(c.experiment)) return path->unload_from;
+  if (const auto* local = std::get_if<press::Local>(&c.experiment)) return local->unload_from;
+  return {};
 }
 
 Sheet runs_sheet(const Study& study, const Store& store, std::string_view variant) {
