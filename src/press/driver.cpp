@@ -42,7 +42,7 @@ Curve begun_curve(const Case& c) {
 }
 
 /// Halts that differ by rounding are one: a step of nothing would be continued to anywhere.
-bool same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::abs(b); }
+bool same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::min(std::abs(a), std::abs(b)); }
 
 /// Where loading halts, ascending: each of both lists, and the end.
 std::vector<double> halts(std::vector<double> some, const std::vector<double>& others, double end) {
