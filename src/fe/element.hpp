@@ -32,7 +32,7 @@ concept Element = requires(const typename E::Shape& shape, typename E::Kinematic
   { E::deform(shape, u, moved) } -> std::same_as<bool>;
   /// Principal trial strains of a point from a state, whose axes are kept.
   { E::strain(moved, point, state) } -> std::same_as<PrincipalStrains>;
-  /// Adds to nothing: writes the internal forces of the element's unknowns.
+  /// Writes the internal forces on the unknowns of the element.
   {E::forces(shape, moved, updates, out)};
   /// By columns; where material flows, 2 G stiffer in shear by the last number (Pa).
   {E::tangent(shape, moved, updates, 0.0, out)};

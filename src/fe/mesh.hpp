@@ -8,7 +8,7 @@
 
 namespace platen::fe {
 
-/// Nodes hold only what their mirrors leave free; mirrors go through the centre of the sphere.
+/// Mirrors are planes of symmetry through the centre of the sphere; nodes on them stay on them.
 template <int dim_, int corners_, int face_corners_> struct Mesh {
   static constexpr int dim = dim_, corners = corners_, face_corners = face_corners_;
   struct Mirror {
