@@ -22,7 +22,7 @@ namespace platen::app {
 namespace {
 
 struct Options {
-  std::string material, folder = "out", law = "edmans-sinka", variant = "published", unload_from, model;
+  std::string material, folder = "out", law = "pressed", variant = "published", unload_from, model;
   press::Simple experiment;
   double radius_m = press::Case{}.radius_m;
   std::optional<double> delta_bar_max, force_max_N;
@@ -70,34 +70,43 @@ void derive_simple(const Options& o, const material::Material& material) {
   const press::Result result = press_into(c, folder, Fields::pictures, o.estimate_error).result;
   print_flags(result);
   const FittedLaw law = fit_law(result.curve, o.variant);
-  fit::LawCard card = fit::law_card(result.curve, law.loading, law.unloading, press::curve_csv(result.curve));
-  if (result.error) {
-    card.errors.emplace_back("press_force", result.error->force);
-    card.errors.emplace_back("press_radius", result.error->radius);
-  }
-  core::write_file(folder / "law.toml", text_of(card));
+  const fit::PressedFit pressed = fit::fit_pressed(result.curve, law.unloading);
+  const std::string text = press::curve_csv(result.curve);
+  const bool published_first = o.law == "edmans-sinka";
+  const auto write = [&](fit::LawCard card, const std::string& name) {
+    if (result.error) {
+      card.errors.emplace_back("press_force", result.error->force);
+      card.errors.emplace_back("press_radius", result.error->radius);
+    }
+    core::write_file(folder / name, text_of(card));
+  };
+  write(fit::law_card(result.curve, pressed, text), published_first ? "pressed.toml" : "law.toml");
+  write(fit::law_card(result.curve, law.loading, law.unloading, text),
+        published_first ? "law.toml" : "edmans-sinka.toml");
   draw_fit(result.curve, law, folder / "curve.svg");
   if (o.json) {
-    fmt::print("{}", fit_json(result.curve, law));
+    fmt::print("{}", fit_json(result.curve, law, pressed));
     return;
   }
   const std::string at = folder.path().string();
-  fmt::print("{}: pressed to delta_bar = {:.4g} in {:.1f} s; {}\n{}", c.material.name, e.delta_bar_max,
+  fmt::print("{}: pressed to delta_bar = {:.4g} in {:.1f} s; {}\n{}{}", c.material.name, e.delta_bar_max,
              result.statistics.total_s, press::tension_words(result.curve, c.material.tensile_strength),
-             fit_words(law));
-  fmt::print("  law card       {0}/law.toml\n  curve          {0}/curve.csv, with the law {0}/curve.svg\n"
+             fit_words(pressed), fit_words(law));
+  fmt::print("  law cards      {0}/law.toml ({1}), {0}/{2}\n  curve          {0}/curve.csv, with the law "
+             "{0}/curve.svg\n"
              "  plastic zones  {0}/zones.svg\n  input, summary {0}/case.toml, {0}/summary.json\n",
-             at);
+             at, published_first ? "edmans-sinka" : "pressed",
+             published_first ? "pressed.toml" : "edmans-sinka.toml");
 }
 
 void derive(const Options& o) {
-  const std::vector<std::string> laws = {"edmans-sinka", "wang"};
+  const std::vector<std::string> laws = {"pressed", "edmans-sinka", "wang"};
   if (std::ranges::find(laws, o.law) == laws.end())
     throw core::InvalidInput(
         fmt::format("--law {}: there is no such law to fit{}", o.law, core::suggestion(o.law, laws)));
   material::Material material = material::read_card(o.material).material;
   if (!o.model.empty()) material.model = material::run_as(material.model, o.model);
-  if (o.law == "edmans-sinka") return derive_simple(o, material);
+  if (o.law != "wang") return derive_simple(o, material);
   if (!o.simple_only.empty())
     throw core::InvalidInput(fmt::format("{} is not for --law wang", fmt::join(o.simple_only, ", ")));
   derive_local({material, o.folder, o.radius_m, o.delta_bar_max, o.force_max_N, o.unload_from, o.json});
@@ -113,10 +122,10 @@ void add_derive(Command program) {
   command.add_option("--model", o->model, "run a vmdc or dpc card as vmdc, dpc, dpc-published or von-mises")
       .type_name("NAME");
   command
-      .add_option(
-          "--law", o->law,
-          "law to fit: edmans-sinka, of large overlaps (simple press); wang, of small contacts in stiff "
-          "grains (local press)")
+      .add_option("--law", o->law,
+                  "the law of law.toml: pressed, the curve itself, or edmans-sinka, its published form (of "
+                  "the same press; the "
+                  "other is written beside it); wang, of small contacts in stiff grains (local press)")
       .type_name("NAME")
       .capture_default_str();
   auto variant =

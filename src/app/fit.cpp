@@ -27,7 +27,7 @@ struct Options {
   bool json = false;
 };
 
-const std::vector<std::string> laws = {"edmans-sinka", "wang", "agarwal", "shahin"};
+const std::vector<std::string> laws = {"pressed", "edmans-sinka", "wang", "agarwal", "shahin"};
 
 double checked(double value, std::string_view option, bool allowed, std::string_view range) {
   if (!allowed)
@@ -103,6 +103,16 @@ void fit_curve(const Options& o) {
         fmt::format("{} says no elasticity, which a law card needs for unloading; give --E_Pa and "
                     "--nu, or leave out -o",
                     o.curve));
+  if (o.law == "pressed") {
+    if (!o.picture.empty())
+      throw core::InvalidInput(
+          "--picture: there is none of the law pressed; platen compare draws law and curve");
+    const fit::PressedFit pressed = fit::fit_pressed(curve, unloading_of(curve));
+    if (!o.card.empty())
+      core::write_file(o.card, text_of(fit::law_card(curve, pressed, core::read_file(o.curve))));
+    fmt::print("{}", o.json ? fit_json(curve, pressed) : fit_words(pressed));
+    return;
+  }
   const FittedLaw law = fit_law(curve, o.variant);
   if (!o.card.empty())
     core::write_file(o.card,
@@ -117,7 +127,9 @@ void add_fit(Command program) {
   auto command = program.add_subcommand("fit", "fit a contact law to a curve, pressed or measured");
   auto o = std::make_shared<Options>();
   command.add_option("CURVE.csv", o->curve, "curve.csv of a press, or columns delta_m,force_N").required();
-  command.add_option("--law", o->law, "law to fit: edmans-sinka, wang, agarwal, shahin")
+  command
+      .add_option("--law", o->law,
+                  "law to fit: pressed (the curve itself), edmans-sinka, wang, agarwal, shahin")
       .required()
       .type_name("NAME");
   command.add_option("--variant", o->variant, variant_help).type_name("V").capture_default_str();

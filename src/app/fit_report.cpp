@@ -18,6 +18,20 @@ using Json = nlohmann::ordered_json;
 
 std::string variant_of(const FittedLaw& law) { return std::string(fit::name_of(law.loading.variant)); }
 
+Json pressed_json(const fit::PressedFit& f) {
+  const auto& m = f.material;
+  return {{"law", "pressed"},
+          {"knots", m.delta_bar.size()},
+          {"validity", {{"delta_bar", {0.0, m.delta_bar.back()}}}},
+          {"error",
+           {{"relative_l2", f.errors.relative_l2},
+            {"worst", f.errors.worst},
+            {"radius_l2", f.errors.radius},
+            {"unload_work", f.errors.unload_work},
+            {"smoothed", f.residual}}},
+          {"radius_measured", f.radius_measured}};
+}
+
 fit::UnloadingFits fit_unloading(const press::Curve& curve) {
   const bool unloads = std::ranges::any_of(
       curve.points, [](const auto& point) { return point.branch == press::Branch::unloading; });
@@ -61,8 +75,7 @@ FittedLaw fit_law(const press::Curve& curve, const std::string& variant) {
     law.loading = comparison.fits.front();
     law.verdict = comparison.verdict;
   } else law.loading = fit::fit_edmans_sinka(curve, variant);
-  law.unloading = fit_unloading(curve);
-  for (const auto& sentence : law.unloading.skipped) core::say(fmt::format("note: {}\n", sentence));
+  law.unloading = unloading_of(curve);
   return law;
 }
 
@@ -83,7 +96,35 @@ std::string fit_words(const FittedLaw& law) {
                      unloading_words(law.unloading));
 }
 
-std::string fit_json(const press::Curve& curve, const FittedLaw& law) {
+fit::UnloadingFits unloading_of(const press::Curve& curve) {
+  fit::UnloadingFits fits = fit_unloading(curve);
+  for (const auto& sentence : fits.skipped) core::say(fmt::format("note: {}\n", sentence));
+  return fits;
+}
+
+std::string fit_words(const fit::PressedFit& f) {
+  const auto& e = f.errors;
+  std::string words = fmt::format("law pressed: the curve at {} knots up to delta_bar = {:.4g}\n"
+                                  "  errors: relative L2 {:.2f} %, worst point {:.2f} %",
+                                  f.material.delta_bar.size(), f.material.delta_bar.back(),
+                                  100 * e.relative_l2, 100 * e.worst);
+  if (f.radius_measured) words += fmt::format(", radius {:.2f} %", 100 * e.radius);
+  if (!f.material.alpha.empty()) words += fmt::format(", work of unloading {:.2f} %", 100 * e.unload_work);
+  words += "\n";
+  if (!f.radius_measured) words += "  the curve has no contact radius: taken from the force\n";
+  if (f.residual > 0)
+    words += fmt::format("  the force falls in places: made to rise, {:.2g} % away\n", 100 * f.residual);
+  return words;
+}
+
+std::string fit_json(const press::Curve& curve, const fit::PressedFit& f) {
+  Json json = {{"platen", core::version}, {"engine", core::engine}, {"material", curve.material}};
+  json.update(pressed_json(f));
+  return json.dump(2) + "\n";
+}
+
+std::string fit_json(const press::Curve& curve, const FittedLaw& law,
+                     const std::optional<fit::PressedFit>& pressed) {
   using Unloading = fit::UnloadingFit;
   const auto& f = law.loading;
   const auto interval = [](const fit::Interval& i) { return Json{i.low, i.high}; };
@@ -110,6 +151,7 @@ std::string fit_json(const press::Curve& curve, const FittedLaw& law) {
                  {"e_a", f.errors.e_a},
                  {"R2", f.r_squared}}}};
   if (!law.verdict.empty()) json["verdict"] = law.verdict;
+  if (pressed) json["pressed"] = pressed_json(*pressed);
   if (!law.unloading.fits.empty()) {
     json["parameters"]["unload_delta_bar"] = each(law.unloading, &Unloading::delta_bar_max);
     json["parameters"]["alpha"] = each(law.unloading, &Unloading::alpha);

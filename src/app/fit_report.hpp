@@ -2,10 +2,12 @@
 // A law fitted to a curve, told in words, as JSON, as a picture. What `fit` and `derive` share.
 
 #include "fit/edmans_sinka.hpp"
+#include "fit/pressed.hpp"
 #include "fit/unloading.hpp"
 #include "press/curve.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace platen::app {
@@ -27,9 +29,14 @@ FittedLaw fit_law(const press::Curve&, const std::string& variant);
 
 /// A few lines for people.
 std::string fit_words(const FittedLaw&);
+std::string fit_words(const fit::PressedFit&);
 
 /// A JSON object.
-std::string fit_json(const press::Curve&, const FittedLaw&);
+std::string fit_json(const press::Curve&, const FittedLaw&, const std::optional<fit::PressedFit>& = {});
+std::string fit_json(const press::Curve&, const fit::PressedFit&);
+
+/// The curve's unloading branches, as both laws have them.
+fit::UnloadingFits unloading_of(const press::Curve&);
 
 /// Curve, law and residual; the unloading branches with their law.
 void draw_fit(const press::Curve&, const FittedLaw&, const std::filesystem::path&);

@@ -160,8 +160,20 @@ grep -qF '"tensile_strength_Pa": 20000000.0' strong/summary.json || { failures=$
 
 # --- derive: five branches unless told otherwise; the law card unloads by them ---
 answers 0 'fits best: relative L2' "$platen" derive von-mises-100 -o derived --delta_bar_max 0.1 --elements 200 --variant best
-grep -qF 'unload_delta_bar = [0.02, 0.04, 0.06, 0.08, 0.1]' derived/law.toml || { failures=$((failures + 1)); echo "FAILED: $(cat derived/law.toml)"; }
-grep -qF 'unload_R2 = [0.99' derived/law.toml || { failures=$((failures + 1)); echo "FAILED: $(cat derived/law.toml)"; }
+grep -qF 'unload_delta_bar = [0.02, 0.04, 0.06, 0.08, 0.1]' derived/edmans-sinka.toml ||
+  { failures=$((failures + 1)); echo "FAILED: $(cat derived/edmans-sinka.toml)"; }
+grep -qF 'law = "pressed"' derived/law.toml || { failures=$((failures + 1)); echo "FAILED: $(cat derived/law.toml)"; }
+answers 0 'true' "$platen" eval derived/law.toml -p radius_m=1e-3 --overlap 1e-5
+answers 0 'worst point' "$platen" fit derived/curve.csv --law pressed -o again.toml
+for card in again.toml derived/law.toml; do sed -n "/parameters/,/validity/p" $card >$card.parameters; done
+cmp -s again.toml.parameters derived/law.toml.parameters || { failures=$((failures + 1)); echo "FAILED: fit and derive write two laws"; }
+grep -qF 'unload_R2 = [0.99' derived/edmans-sinka.toml ||
+  { failures=$((failures + 1)); echo "FAILED: $(cat derived/edmans-sinka.toml)"; }
+grep -qF 'law = "pressed"' derived/law.toml || { failures=$((failures + 1)); echo "FAILED: $(cat derived/law.toml)"; }
+answers 0 'true' "$platen" eval derived/law.toml -p radius_m=1e-3 --overlap 1e-5
+answers 0 'worst point' "$platen" fit derived/curve.csv --law pressed -o again.toml
+for card in again.toml derived/law.toml; do sed -n "/parameters/,/validity/p" $card >$card.parameters; done
+cmp -s again.toml.parameters derived/law.toml.parameters || { failures=$((failures + 1)); echo "FAILED: fit and derive write two laws"; }
 has_not derived/fields.pvd
 answers 0 ',unloading,' "$platen" eval derived/law.toml -p radius_m=1e-3 --path <(printf 'overlap_m\n1e-4\n9.9e-5\n')
 answers 0 'unload_R2' "$platen" fit derived/curve.csv --law edmans-sinka --json

@@ -108,10 +108,10 @@ class KnotCurve {
     double y = 0, slope = 0;
     force.at(x.back(), y, slope);
     end_slope = slope * knots.back().F / x_last;
-    history();
     work_to_knot = {knots.front().F * x_first / (n_first + 1)};
     for (std::size_t i = 1; i < knots.size(); ++i)
       work_to_knot.push_back(work_to_knot.back() + work_between(knots[i - 1].x, knots[i].x));
+    limit_unloading();
   }
 
   [[nodiscard]] Loading<double> loading(double gamma) const {
@@ -133,22 +133,18 @@ class KnotCurve {
       l.slope = l.F * slope / x;
       l.a = std::exp(radius.value(u));
     }
-    const double u = std::log(std::clamp(x, x_first, x_last));
-    l.steepest = steepest.value(u);
-    l.least_a = least.value(u);
     l.F *= F_scale;
     l.slope *= F_scale * pair.x_per_gamma;
     l.a *= pair.R_e;
     return l;
   }
-  [[nodiscard]] Unloading<double> unloading(double gamma, const Loading<double>& peak) const {
+  [[nodiscard]] Unloading<double> unloading(double gamma, const Loading<double>&) const {
     const double x = gamma * pair.x_per_gamma;
     if (gamma <= gamma_elastic) return {0, 1.5}; // never followed: elastic
     const double u = std::log(std::clamp(x, x_first, x_last));
-    // Outside the knots in proportion to force over overlap.
-    double S_x = std::exp(stiffness.value(u)) * std::exp(u);
-    if (x < x_first || x > x_last) S_x *= peak.F / (pair.R_e * pair.R_e) / std::exp(force.value(u));
-    return unloading_from_slope(gamma, peak, S_x * pair.R_e * pair.R_e, exponent.value(u));
+    double w = std::exp(recovered.value(u)); // beyond the last knot held, below the first in proportion
+    if (x < x_first) w *= x / x_first;
+    return {pair.x_per_gamma / w, exponent.value(u)};
   }
   [[nodiscard]] bool in_range(double gamma) const { return gamma * pair.x_per_gamma <= x_valid * (1 + 1e-9); }
   [[nodiscard]] double work(double gamma) const {
@@ -165,28 +161,36 @@ class KnotCurve {
   [[nodiscard]] double gamma_end() const { return x_last / pair.x_per_gamma; }
 
  private:
-  /// What unloading_from_slope wants to know of the way here.
-  void history() {
-    std::vector<double> u, most, fewest;
-    double n = n_first, s = 0.5, last_S = 0, last_u = 0;
+  /// How far unloading goes back, on a finer grid than the knots: as the slopes S say, but less where it
+  /// would rise above the loading curve, go past the origin, or give back more than was put in since the last
+  /// point. A curve's small waves have exponents of their own, so that general bounds (unloading_from_slope)
+  /// would stiffen it everywhere.
+  void limit_unloading() {
+    std::vector<double> u, ln_w;
     const auto& x = force.knots();
-    const int parts = std::clamp(static_cast<int>(600 / x.size()), 2, 10);
+    const int parts = std::clamp(static_cast<int>(400 / x.size()), 1, 10);
+    constexpr double room = 1e-3; // for what lies between the points
+    double lost = 0, work = work_to_knot.front();
+    if (gamma_elastic == 0) lost = -infinity;
+    std::vector<double> xs, Fs;
     for (std::size_t i = 0; i + 1 < x.size(); ++i)
       for (int k = 0; k < parts + (i + 2 == x.size()); ++k) {
-        const double at = x[i] + (x[i + 1] - x[i]) * k / parts;
-        double y = 0, slope = 0, S = 0, S_slope = 0;
+        const double at = x[i] + (x[i + 1] - x[i]) * k / parts, here = std::exp(at);
+        double y = 0, slope = 0;
         force.at(at, y, slope);
-        stiffness.at(at, S, S_slope);
-        n = std::max(n, slope * (1 + 1e-4));
-        if (!u.empty()) s = std::min(s, (S - last_S) / (at - last_u) - 1e-4);
-        last_S = S;
-        last_u = at;
-        u.push_back(at);
-        most.push_back(n);
-        fewest.push_back(std::max(s, -2.0));
+        const double F = std::exp(y), alpha = exponent.value(at);
+        if (!xs.empty()) work += work_between(xs.back(), here);
+        double w = std::min(here, alpha * F / std::exp(stiffness.value(at)));
+        if (slope > 0) w = std::min(w, alpha * here / slope); // starts as steeply as the loading curve ends
+        for (std::size_t back = 1; back <= xs.size(); back += 1 + back / 4) { // densest near by
+          const std::size_t j = xs.size() - back;
+          w = std::min(w, (here - xs[j]) / (1 - std::pow(Fs[j] / F, 1 / alpha)) * (1 - room));
+        }
+        w = std::min(w, (work - lost) * (1 + alpha) / F);
+        lost = work - F * w / (1 + alpha);
+        xs.push_back(here), Fs.push_back(F), u.push_back(at), ln_w.push_back(std::log(w));
       }
-    steepest = MonotoneCurve(u, most);
-    least = MonotoneCurve(u, fewest);
+    recovered = MonotoneCurve(u, ln_w);
   }
 
   /// Simpson's rule, over R_e^2 and in x.
@@ -202,7 +206,7 @@ class KnotCurve {
 
   std::vector<double> work_to_knot;
   double n_first, x_first = 0, x_last = 0, end_slope = 0;
-  MonotoneCurve force, radius, stiffness, exponent, steepest, least;
+  MonotoneCurve force, radius, stiffness, exponent, recovered;
 };
 
 } // namespace platen::law

@@ -110,6 +110,8 @@ inline KnotCurve prepare_like(const PressedMaterial& m, const Pair& pair) {
     for (const Knot& k : knots)
       if (k.F > 0.97 * hertz(k.x)) x_yield = k.x;
       else break;
+  // A finite sphere is stiffer than Hertz's: what unloading was seen to do says more of where it is elastic.
+  if (!m.alpha.empty()) x_yield = std::min(x_yield, 0.25 * m.unload_delta_bar.front());
   // Unloading: from Hertz's own at yield over the measured ones, linear in ln x.
   std::vector<double> u{std::log(x_yield)}, alpha{1.5}, beta{1};
   for (std::size_t i = 0; i < m.alpha.size(); ++i)

@@ -167,7 +167,8 @@ template <class L> class Tabulator {
     work = s.F * x / (t.n_first + 1);
     t.first = {s.F, s.slope, s.a, x, t.n_first, 0};
     if (!elastic(x)) {
-      t.first.w = x / s.rate_x, t.first.alpha = s.alpha;
+      t.first.w = bent(s) ? x : x / s.rate_x * (1 - stiffer);
+      t.first.alpha = bent(s) ? s.alpha * (1 + stiffer) : s.alpha;
       t.first.lost = std::max(0.0, work - t.first.back());
     }
   }
@@ -264,6 +265,10 @@ template <class L> class Tabulator {
       const double steepness = s[k].alpha * s[k].rate_x * s[k].F / (s[k].slope * x);
       const double here = alpha * F / (w * c.F.slope(t)) * 2 * std::sqrt(x);
       follows = follows && (table->shape != Shape::power || here >= std::min(1.0, steepness));
+      if (table->shape == Shape::power &&
+          steepness < 1.02) // hardly below it: no room for errors of the force
+        follows = follows && near(F, s[k].F, accuracy.force / 20) &&
+                  near(c.F.slope(t) / (2 * std::sqrt(x)), s[k].slope, accuracy.slope / 20);
       const double work_before = work_here, lost_before = lost_formula;
       work_here = work + work_in(c, t);
       lost[k] = work_here - F * w / (1 + alpha);
