@@ -1,0 +1,58 @@
+#pragma once
+// A measured particle as the search sees it: rows of one particle, few enough to be evaluated often, and what
+// a law says for them.
+
+#include "measure/machine.hpp"
+#include "measure/stages.hpp"
+#include "platen/law/catalogue.hpp"
+
+#include <vector>
+
+namespace platen::calibrate {
+
+struct Samples {
+  double radius_m = 0, per_travel = 0.5;
+  double force_max_N = 0;
+  double contact_guess_m = 0; ///< travel
+  double travel_noise_m = 0, force_noise_N = 0;
+  std::vector<double> travel_m;   ///< the machine's part taken off
+  std::vector<double> force_N;
+  std::vector<double> compliance; ///< of the machine at this force [m/N]
+  std::vector<measure::Stage> stage;
+  std::vector<double> sigma_N; ///< what the noise of force and travel lets expect
+  std::size_t rows = 0;        ///< of the file
+  bool unloads = false;
+  std::size_t apart = 0; ///< rows before contact: they show the baseline
+
+  double delta(std::size_t i, double contact_m) const { return per_travel * (travel_m[i] - contact_m); }
+};
+
+/// Rows that follow each other in one stage are averaged where there are more than some thousands; rows from
+/// a break on are left out. `with_unloading` false: up to the first unloading.
+Samples samples_of(const measure::Specimen&, const measure::Stages&, const measure::Machine&,
+                   bool with_unloading);
+
+/// The force of the law (made against a plane with the radius of the samples) at each row, and its stiffness
+/// where asked for. Below the largest overlap the law unloads from the row where the platens turned.
+template <class Law>
+void predict(const Law& law, const Samples& s, double contact_m, std::vector<double>& force,
+             std::vector<double>* stiffness = nullptr) {
+  using measure::Stage;
+  force.resize(s.travel_m.size());
+  if (stiffness) stiffness->resize(s.travel_m.size());
+  double largest = 0, last = 0;
+  bool closing = true; // a hold belongs to what was before it
+  for (std::size_t i = 0; i < s.travel_m.size(); ++i) {
+    const double delta = s.delta(i, contact_m);
+    const bool back = s.stage[i] == Stage::unloading || s.stage[i] == Stage::reloading;
+    if (s.stage[i] != Stage::hold) closing = !back;
+    const law::State before{last, closing ? 0.0 : largest};
+    const auto response = evaluate(law, before, delta);
+    force[i] = response.force;
+    if (stiffness) (*stiffness)[i] = response.stiffness;
+    largest = delta > largest ? delta : largest;
+    last = delta;
+  }
+}
+
+} // namespace platen::calibrate

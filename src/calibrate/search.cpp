@@ -1,0 +1,287 @@
+#include "calibrate/search.hpp"
+
+#include "core/error.hpp"
+#include "core/interrupt.hpp"
+#include "core/number.hpp"
+
+#include <Eigen/Dense>
+#include <ceres/ceres.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+namespace platen::calibrate {
+namespace {
+
+using Numbers = std::vector<double>;
+
+/// Between what is searched and what the law is given.
+struct Coordinates {
+  const Task& task;
+
+  double unit(std::size_t k) const { return task.free[k].in_curve_stress ? task.curve_stress_Pa : 1; }
+  double inside(std::size_t k, double value) const {
+    return task.free[k].logarithmic ? std::log(value / unit(k)) : value;
+  }
+  double outside(std::size_t k, double theta) const {
+    return task.free[k].logarithmic ? unit(k) * std::exp(theta) : theta;
+  }
+  /// d(value)/d(theta)
+  double slope(std::size_t k, double theta) const { return task.free[k].logarithmic ? outside(k, theta) : 1; }
+};
+
+law::ParameterTexts texts_of(const Task& task, const double* theta, double radius_m) {
+  const Coordinates c{task};
+  law::ParameterTexts texts{{"radius_m", core::number_text(radius_m)}, {"against", "plane"}};
+  for (std::size_t k = 0; k < task.free.size(); ++k)
+    texts[task.free[k].key] = core::number_text(c.outside(k, theta[k]));
+  return texts;
+}
+
+/// False where the law has no such material.
+bool predicted(const Task& task, const Samples& s, const double* theta, double contact_m, Numbers& force,
+               Numbers* stiffness = nullptr) {
+  try {
+    const auto law = fit::make_law(task.card, texts_of(task, theta, s.radius_m));
+    predict(law, s, contact_m, force, stiffness);
+  } catch (const core::InvalidInput&) { return false; }
+  return std::ranges::all_of(force, [](double F) { return std::isfinite(F); });
+}
+
+/// theta of the law; contact point over R; baseline over the largest force.
+struct Residuals {
+  const Task* task;
+  const Samples* s;
+  bool baseline;
+
+  bool operator()(const double* const* blocks, double* residuals) const {
+    Numbers force;
+    const double contact = s->contact_guess_m + blocks[1][0] * s->radius_m;
+    if (!predicted(*task, *s, blocks[0], contact, force)) return false;
+    const double zero = baseline ? blocks[2][0] * s->force_max_N : 0;
+    for (std::size_t i = 0; i < force.size(); ++i)
+      residuals[i] = (s->force_N[i] - zero - force[i]) / s->sigma_N[i];
+    return true;
+  }
+};
+
+/// The contact point moves the curve; the travel that was there at the start keeps it near.
+constexpr double contact_reach = 0.5; // of R
+constexpr double on_bound_share = 1e-3;
+
+struct StopWhenInterrupted : ceres::IterationCallback {
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
+    return core::interrupted() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+  }
+};
+
+struct State {
+  Numbers theta, contact, baseline;
+  double cost = std::numeric_limits<double>::infinity();
+  bool converged = false;
+};
+
+class Problem {
+ public:
+  Problem(const Task& task, const std::vector<Samples>& samples, State state)
+      : task_(task), samples_(samples), state_(std::move(state)) {
+    const Coordinates c{task};
+    ceres::NumericDiffOptions numeric;
+    numeric.relative_step_size = 1e-5; // the tables of a law are smooth to 1e-6 or so
+    for (std::size_t p = 0; p < samples.size(); ++p) {
+      const bool zero = samples[p].apart >= least_apart;
+      auto* cost = new ceres::DynamicNumericDiffCostFunction<Residuals, ceres::CENTRAL>(
+          new Residuals{&task, &samples[p], zero}, ceres::TAKE_OWNERSHIP, numeric);
+      std::vector<double*> blocks = {state_.theta.data(), &state_.contact[p]};
+      cost->AddParameterBlock(static_cast<int>(task.free.size()));
+      cost->AddParameterBlock(1);
+      if (zero) {
+        cost->AddParameterBlock(1);
+        blocks.push_back(&state_.baseline[p]);
+      }
+      cost->SetNumResiduals(static_cast<int>(samples[p].force_N.size()));
+      problem_.AddResidualBlock(cost, nullptr, blocks);
+      problem_.SetParameterLowerBound(&state_.contact[p], 0, -contact_reach);
+      problem_.SetParameterUpperBound(&state_.contact[p], 0, contact_reach);
+    }
+    for (std::size_t k = 0; k < task.free.size(); ++k) {
+      problem_.SetParameterLowerBound(state_.theta.data(), static_cast<int>(k),
+                                      c.inside(k, task.free[k].low * c.unit(k)));
+      problem_.SetParameterUpperBound(state_.theta.data(), static_cast<int>(k),
+                                      c.inside(k, task.free[k].high * c.unit(k)));
+    }
+  }
+
+  State solve() {
+    ceres::Solver::Options options;
+    options.linear_solver_type = ceres::DENSE_QR;
+    options.max_num_iterations = 100;
+    options.function_tolerance = 1e-9;
+    options.parameter_tolerance = 1e-8;
+    options.logging_type = ceres::SILENT;
+    options.num_threads = 1;
+    StopWhenInterrupted stop;
+    options.callbacks.push_back(&stop);
+    ceres::Solver::Summary summary;
+    ceres::Solve(options, &problem_, &summary);
+    if (core::interrupted()) throw core::Interrupted("stopped; nothing was written");
+    state_.cost = summary.IsSolutionUsable() ? summary.final_cost : std::numeric_limits<double>::infinity();
+    state_.converged = summary.termination_type == ceres::CONVERGENCE;
+    return state_;
+  }
+
+  /// d(residuals)/d(theta, contacts, baselines), dense.
+  Eigen::MatrixXd jacobian() {
+    ceres::Problem::EvaluateOptions options;
+    options.parameter_blocks.push_back(state_.theta.data());
+    for (std::size_t p = 0; p < samples_.size(); ++p) options.parameter_blocks.push_back(&state_.contact[p]);
+    for (std::size_t p = 0; p < samples_.size(); ++p)
+      if (samples_[p].apart >= least_apart) options.parameter_blocks.push_back(&state_.baseline[p]);
+    ceres::CRSMatrix sparse;
+    problem_.Evaluate(options, nullptr, nullptr, nullptr, &sparse);
+    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(sparse.num_rows, sparse.num_cols);
+    for (int row = 0; row < sparse.num_rows; ++row)
+      for (int k = sparse.rows[static_cast<std::size_t>(row)]; k < sparse.rows[static_cast<std::size_t>(row) + 1]; ++k)
+        J(row, sparse.cols[static_cast<std::size_t>(k)]) = sparse.values[static_cast<std::size_t>(k)];
+    return J;
+  }
+
+  static constexpr std::size_t least_apart = 8; // rows that show the zero of the load cell
+
+ private:
+  const Task& task_;
+  const std::vector<Samples>& samples_;
+  State state_;
+  ceres::Problem problem_;
+};
+
+/// Every combination of starts, cheapest deviations first.
+std::vector<Numbers> starts(const Task& task, const Samples& s) {
+  const Coordinates c{task};
+  std::vector<Numbers> grid = {{}};
+  for (std::size_t k = 0; k < task.free.size(); ++k) {
+    std::vector<Numbers> longer;
+    for (const auto& begun : grid)
+      for (double start : task.free[k].starts) {
+        longer.push_back(begun);
+        longer.back().push_back(c.inside(k, start * c.unit(k)));
+      }
+    grid = std::move(longer);
+  }
+  std::vector<std::pair<double, std::size_t>> order;
+  Numbers force;
+  for (std::size_t g = 0; g < grid.size(); ++g) {
+    if (!predicted(task, s, grid[g].data(), s.contact_guess_m, force)) continue;
+    double sum = 0;
+    for (std::size_t i = 0; i < force.size(); ++i) sum += std::pow((s.force_N[i] - force[i]) / s.sigma_N[i], 2);
+    order.emplace_back(sum, g);
+  }
+  std::ranges::sort(order);
+  std::vector<Numbers> best;
+  constexpr std::size_t tried = 3;
+  for (const auto& [sum, g] : order)
+    if (best.size() < tried) best.push_back(grid[g]);
+  if (best.empty())
+    throw core::InvalidInput(
+        "the law has no material near these readings; are force, displacement and radius in the right units?");
+  return best;
+}
+
+/// From the stiffness of a first fit.
+void weigh(const Task& task, std::vector<Samples>& samples, const State& state) {
+  Numbers force, stiffness;
+  for (std::size_t p = 0; p < samples.size(); ++p) {
+    auto& s = samples[p];
+    const double contact = s.contact_guess_m + state.contact[p] * s.radius_m;
+    if (!predicted(task, s, state.theta.data(), contact, force, &stiffness)) continue;
+    const double floor = std::max(s.force_noise_N, 1e-4 * s.force_max_N);
+    for (std::size_t i = 0; i < force.size(); ++i) {
+      const double k = s.per_travel * stiffness[i];
+      s.sigma_N[i] = std::hypot(floor * (1 + k * s.compliance[i]), k * s.travel_noise_m);
+    }
+  }
+}
+
+/// Particles of one batch fit the law more or less well; each counts by how well it does.
+void level(const Task& task, std::vector<Samples>& samples, const State& state) {
+  for (std::size_t p = 0; p < samples.size(); ++p) {
+    auto& s = samples[p];
+    Numbers force;
+    if (!predicted(task, s, state.theta.data(), s.contact_guess_m + state.contact[p] * s.radius_m, force)) continue;
+    double sum = 0;
+    for (std::size_t i = 0; i < force.size(); ++i)
+      sum += std::pow((s.force_N[i] - state.baseline[p] * s.force_max_N - force[i]) / s.sigma_N[i], 2);
+    const double rms = std::sqrt(sum / static_cast<double>(force.size()));
+    for (double& sigma : s.sigma_N) sigma *= std::max(rms, 1e-6);
+  }
+}
+
+} // namespace
+
+Solution search(const Task& task, std::vector<Samples> samples) {
+  const std::size_t n = samples.size(), free = task.free.size();
+  State state;
+  for (const auto& start : starts(task, samples.front())) {
+    State begun{start, Numbers(n, 0.0), Numbers(n, 0.0)};
+    State found = Problem(task, samples, std::move(begun)).solve();
+    if (found.cost < state.cost) state = std::move(found);
+  }
+  if (state.theta.empty()) throw core::ConvergenceError("the law could not be fitted to these rows", 0, 100, 1);
+  for (int again = 0; again < 2; ++again) {
+    weigh(task, samples, state);
+    if (n > 1) level(task, samples, state);
+    state = Problem(task, samples, state).solve();
+  }
+  if (!std::isfinite(state.cost)) throw core::ConvergenceError("the law could not be fitted to these rows", 0, 100, 1);
+
+  Solution solution;
+  solution.converged = state.converged;
+  Problem problem(task, samples, state);
+  const Eigen::MatrixXd J = problem.jacobian();
+  solution.reduced_chi_squared = 2 * state.cost / std::max(1.0, static_cast<double>(J.rows() - J.cols()));
+  // Columns in units of their own length: what has no effect is left out of the inversion.
+  Eigen::VectorXd length = J.colwise().norm();
+  const double longest = length.maxCoeff();
+  Eigen::MatrixXd scaled = J;
+  for (Eigen::Index k = 0; k < J.cols(); ++k)
+    scaled.col(k) /= length[k] > 1e-9 * longest ? length[k] : std::numeric_limits<double>::infinity();
+  const Eigen::MatrixXd covariance =
+      (scaled.transpose() * scaled).completeOrthogonalDecomposition().pseudoInverse() * solution.reduced_chi_squared;
+  const auto sd = [&](Eigen::Index k) {
+    return length[k] > 1e-9 * longest ? std::sqrt(std::max(0.0, covariance(k, k))) / length[k]
+                                      : std::numeric_limits<double>::infinity();
+  };
+  const Coordinates c{task};
+  for (std::size_t k = 0; k < free; ++k) {
+    const auto column = static_cast<Eigen::Index>(k);
+    const double theta = state.theta[k];
+    solution.values.push_back(c.outside(k, theta));
+    solution.errors.push_back(sd(column) * c.slope(k, theta));
+    const double low = c.inside(k, task.free[k].low * c.unit(k)), high = c.inside(k, task.free[k].high * c.unit(k));
+    const double near = on_bound_share * (high - low);
+    solution.on_bound.push_back(theta < low + near || theta > high - near);
+    solution.without_effect.push_back(!(length[column] > 1e-9 * longest));
+  }
+  solution.correlations.assign(free, Numbers(free, 0.0));
+  for (std::size_t i = 0; i < free; ++i)
+    for (std::size_t j = 0; j < free; ++j) {
+      const auto a = static_cast<Eigen::Index>(i), b = static_cast<Eigen::Index>(j);
+      const double scale = std::sqrt(covariance(a, a) * covariance(b, b));
+      solution.correlations[i][j] = i == j ? 1 : scale > 0 ? covariance(a, b) / scale : 0;
+    }
+  for (std::size_t p = 0; p < n; ++p) {
+    const auto& s = samples[p];
+    Own own;
+    own.contact_m = s.contact_guess_m + state.contact[p] * s.radius_m;
+    own.contact_error_m = sd(static_cast<Eigen::Index>(free + p)) * s.radius_m;
+    own.baseline_fitted = s.apart >= Problem::least_apart;
+    own.baseline_N = own.baseline_fitted ? state.baseline[p] * s.force_max_N : 0;
+    predicted(task, s, state.theta.data(), own.contact_m, own.force_N);
+    solution.own.push_back(std::move(own));
+  }
+  return solution;
+}
+
+} // namespace platen::calibrate

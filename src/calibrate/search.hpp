@@ -1,0 +1,42 @@
+#pragma once
+// The least squares behind a calibration: parameters of the law that all particles share, and of each
+// particle its contact point and the zero of its load cell.
+
+#include "calibrate/free_parameters.hpp"
+#include "calibrate/samples.hpp"
+#include "fit/law_card.hpp"
+
+#include <string>
+#include <vector>
+
+namespace platen::calibrate {
+
+/// What is found for one particle.
+struct Own {
+  double contact_m = 0, contact_error_m = 0; ///< travel
+  double baseline_N = 0;                     ///< 0 where no row shows it
+  bool baseline_fitted = false;
+  std::vector<double> force_N; ///< of the law at the samples, without the baseline
+};
+
+struct Solution {
+  std::vector<double> values, errors; ///< of the free parameters, standard errors
+  std::vector<bool> on_bound, without_effect;
+  std::vector<std::vector<double>> correlations;
+  std::vector<Own> own;
+  double reduced_chi_squared = 0;
+  bool converged = false;
+};
+
+/// What does not change during the search.
+struct Task {
+  fit::LawCard card; ///< law, variant and the parameters that are given
+  std::vector<FreeParameter> free;
+  double curve_stress_Pa = 0; ///< S of the free parameters
+};
+
+/// Weighted by what the noise of force and travel lets expect: the stiff rows of an unloading say little of
+/// the force and much of the travel. Started from the best of a grid of starts. Throws core::Interrupted.
+Solution search(const Task&, std::vector<Samples>);
+
+} // namespace platen::calibrate

@@ -1,0 +1,211 @@
+#include "measure/stages.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace platen::measure {
+namespace {
+
+using Numbers = std::vector<double>;
+
+double median(Numbers v) {
+  if (v.empty()) return 0;
+  const auto middle = v.begin() + static_cast<long>(v.size() / 2);
+  std::nth_element(v.begin(), middle, v.end());
+  return *middle;
+}
+
+/// Standard deviation of white noise on a smooth curve: second differences have six times its variance.
+double noise(const Numbers& v) {
+  Numbers differences;
+  for (std::size_t i = 1; i + 1 < v.size(); ++i)
+    differences.push_back(std::abs(v[i - 1] - 2 * v[i] + v[i + 1]));
+  return 1.4826 * median(std::move(differences)) / std::sqrt(6.0);
+}
+
+/// Rows where the direction turns by more than `least`, both ends included; highs and lows in turn.
+std::vector<std::size_t> turns(const Numbers& x, double least) {
+  std::vector<std::size_t> rows = {0};
+  std::size_t high = 0, low = 0;
+  int direction = 0;
+  for (std::size_t i = 1; i < x.size(); ++i) {
+    if (x[i] > x[high]) high = i;
+    if (x[i] < x[low]) low = i;
+    if (direction >= 0 && x[high] - x[i] > least) {
+      if (direction > 0 || high > 0) rows.push_back(high);
+      direction = -1;
+      low = i;
+    } else if (direction <= 0 && x[i] - x[low] > least) {
+      if (direction < 0 || low > 0) rows.push_back(low);
+      direction = 1;
+      high = i;
+    }
+  }
+  rows.push_back(x.size() - 1);
+  return rows;
+}
+
+/// Stretches where the platens stand: far more rows within a narrow band than on the way elsewhere.
+void mark_holds(const Numbers& x, double range, double travel_noise, Stages& stages) {
+  constexpr double band_share = 1e-3;
+  const double band = std::max(4 * travel_noise, band_share * range);
+  Numbers steps;
+  for (std::size_t i = 1; i < x.size(); ++i) steps.push_back(std::abs(x[i] - x[i - 1]));
+  const double usual = std::max(median(std::move(steps)), 1e-300);
+  const auto least = static_cast<std::size_t>(std::max(5.0, 6 * band / usual));
+  for (std::size_t i = 0; i < x.size();) {
+    std::size_t end = i + 1;
+    double low = x[i], high = x[i];
+    while (end < x.size() && std::max(high, x[end]) - std::min(low, x[end]) <= band) {
+      low = std::min(low, x[end]), high = std::max(high, x[end]);
+      ++end;
+    }
+    if (end - i >= least) {
+      for (std::size_t k = i; k < end; ++k) stages.of_row[k] = Stage::hold;
+      ++stages.holds;
+      i = end;
+    } else ++i;
+  }
+}
+
+std::optional<Break> find_break(const Numbers& F, const Stages& stages, const std::vector<std::size_t>& rows) {
+  const double F_max = *std::ranges::max_element(F);
+  constexpr double least_share = 0.1; // of a whole particle's force only noise is lost while it is pressed
+  for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
+    double highest = 0;
+    for (std::size_t i = rows[k]; i < rows[k + 1]; ++i) {
+      const bool pressing = stages.of_row[i] == Stage::loading || stages.of_row[i] == Stage::reloading;
+      if (!pressing) {
+        highest = 0;
+        continue;
+      }
+      if (highest > 0.1 * F_max && highest > 20 * stages.force_noise_N) {
+        const double now = i + 1 < rows[k + 1] ? std::max(F[i], F[i + 1]) : F[i];
+        const double fell = highest - now;
+        if (fell > least_share * highest && fell > 8 * stages.force_noise_N) return Break{i, fell / highest};
+      }
+      highest = std::max(highest, F[i]);
+    }
+  }
+  return {};
+}
+
+/// Straight line by least squares; its value at x = 0 and its slope.
+std::pair<double, double> line(const Numbers& x, const Numbers& y) {
+  const double n = static_cast<double>(x.size());
+  const double mx = std::accumulate(x.begin(), x.end(), 0.0) / n, my = std::accumulate(y.begin(), y.end(), 0.0) / n;
+  double sxx = 0, sxy = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) sxx += (x[i] - mx) * (x[i] - mx), sxy += (x[i] - mx) * (y[i] - my);
+  const double slope = sxx > 0 ? sxy / sxx : 0;
+  return {my - slope * mx, slope};
+}
+
+/// F = baseline + A max(x - x_0, 0)^p on the foot of the first loading: for every x_0 and p the rest is linear.
+struct Foot {
+  double x_0 = 0, baseline = 0, deviation = std::numeric_limits<double>::infinity();
+};
+Foot foot_at(const Numbers& x, const Numbers& F, double x_0, double p, bool with_baseline) {
+  Numbers u(x.size());
+  for (std::size_t i = 0; i < x.size(); ++i) u[i] = x[i] > x_0 ? std::pow(x[i] - x_0, p) : 0;
+  double baseline = 0, A = 0;
+  if (with_baseline) std::tie(baseline, A) = line(u, F);
+  else {
+    const double uu = std::inner_product(u.begin(), u.end(), u.begin(), 0.0);
+    A = uu > 0 ? std::inner_product(u.begin(), u.end(), F.begin(), 0.0) / uu : 0;
+  }
+  double sum = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) sum += std::pow(F[i] - baseline - A * u[i], 2);
+  return {x_0, baseline, sum};
+}
+
+/// The best foot with x_0, and how far x_0 may move until the deviation grows by that of one more row.
+void find_contact(const Numbers& x, const Numbers& F, std::size_t end, double scale, Stages& stages) {
+  const double F_max = *std::max_element(F.begin(), F.begin() + static_cast<long>(end));
+  std::size_t foot_end = 0;
+  while (foot_end < end && F[foot_end] < 0.35 * F_max) ++foot_end;
+  foot_end = std::clamp<std::size_t>(foot_end, std::min<std::size_t>(end, 6), end);
+  Numbers fx, fF;
+  const std::size_t stride = std::max<std::size_t>(1, foot_end / 400);
+  for (std::size_t i = 0; i < foot_end; i += stride) fx.push_back(x[i]), fF.push_back(F[i]);
+  std::size_t before = 0; // rows that carry no force yet
+  const double threshold = std::max(5 * stages.force_noise_N, 0.02 * F_max);
+  while (before < fF.size() && std::abs(fF[before]) < threshold) ++before;
+  const bool with_baseline = before >= 6;
+  const double from = fx.front() - 0.5 * scale, to = fx.back();
+  Foot best;
+  double step = (to - from) / 60, low = from, high = to;
+  for (int level = 0; level < 6; ++level) {
+    for (double x_0 = low; x_0 < high; x_0 += step)
+      for (double p = 0.8; p < 1.65; p += 0.1)
+        if (const Foot foot = foot_at(fx, fF, x_0, p, with_baseline); foot.deviation < best.deviation) best = foot;
+    low = best.x_0 - 2 * step, high = best.x_0 + 2 * step;
+    step /= 8;
+  }
+  const double n = static_cast<double>(fx.size());
+  const double allowed = best.deviation * (1 + 1 / std::max(1.0, n - 4));
+  double reach = 0;
+  for (double d = 1e-4 * scale; d < scale; d *= 1.3) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const double x_0 : {best.x_0 - d, best.x_0 + d})
+      for (double p = 0.8; p < 1.65; p += 0.05)
+        least = std::min(least, foot_at(fx, fF, x_0, p, with_baseline).deviation);
+    if (least > allowed) break;
+    reach = d;
+  }
+  stages.contact_travel_m = best.x_0;
+  stages.contact_uncertainty_m = std::max(reach, 1e-4 * scale);
+  if (with_baseline) stages.baseline_N = best.baseline, stages.baseline_rows = before * stride;
+}
+
+} // namespace
+
+std::string_view name_of(Stage stage) {
+  constexpr std::string_view names[] = {"approach", "loading", "hold", "unloading", "reloading", "broken"};
+  return names[static_cast<int>(stage)];
+}
+
+std::string Stages::words() const {
+  const auto count = [](int n, std::string_view word) { return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s"); };
+  std::string text = count(holds, "hold");
+  if (loops > 0) text += ", " + count(loops, "loop");
+  return text + ", " + count(unloadings - loops, loops > 0 ? "last unloading" : "unloading");
+}
+
+Stages stages_of(const Specimen& s) {
+  const auto& x = s.travel_m;
+  const auto& F = s.force_N;
+  Stages stages;
+  stages.of_row.assign(x.size(), Stage::loading);
+  stages.travel_noise_m = noise(x);
+  stages.force_noise_N = noise(F);
+  const auto [low, high] = std::ranges::minmax(x);
+  const double range = high - low;
+  if (!(range > 0)) return stages;
+  const auto rows = turns(x, std::max(6 * stages.travel_noise_m, 3e-3 * range));
+  double highest = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
+    const bool opens = x[rows[k + 1]] < x[rows[k]];
+    if (opens) ++stages.unloadings;
+    else if (k > 0) ++stages.loops;
+    for (std::size_t i = rows[k] + (k > 0); i <= rows[k + 1]; ++i) {
+      stages.of_row[i] = opens ? Stage::unloading : x[i] < highest ? Stage::reloading : Stage::loading;
+      if (!opens) highest = std::max(highest, x[i]);
+      if (!opens && k == 0) stages.of_row[i] = Stage::loading;
+    }
+  }
+  mark_holds(x, range, stages.travel_noise_m, stages);
+  stages.broke = find_break(F, stages, rows);
+  const std::size_t peak = rows.size() > 1 ? rows[1] : x.size() - 1;
+  find_contact(x, F, std::max<std::size_t>(stages.broke ? stages.broke->row : peak, 2), range, stages);
+  for (std::size_t i = 0; i < x.size() && i <= peak && x[i] < stages.contact_travel_m; ++i)
+    stages.of_row[i] = Stage::approach;
+  if (stages.broke)
+    for (std::size_t i = stages.broke->row; i < x.size(); ++i) stages.of_row[i] = Stage::broken;
+  return stages;
+}
+
+} // namespace platen::measure
