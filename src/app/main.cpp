@@ -63,6 +63,7 @@ int run(int argc, char** argv) {
   app::add_study(command);
   app::add_import(command);
   app::add_calibrate(command);
+  app::add_convert(command);
   refuse_unknown_command(program, argc, argv);
   if (!program.parse(argc, argv)) return bad_input;
   if (argc < 2) print_commands(program);

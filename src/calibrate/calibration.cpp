@@ -18,7 +18,8 @@ namespace {
 using core::InvalidInput;
 using measure::Measurement, measure::Specimen;
 
-constexpr double alike = 0.98; // |correlation| from which on two parameters cannot be told apart
+// Two parameters cannot be told apart where they are so correlated and one of them is so uncertain.
+constexpr double alike = 0.95, uncertain = 0.1;
 
 const law::Parameter* parameter(const law::LawInfo& info, std::string_view key) {
   for (const auto& p : info.parameters)
@@ -231,10 +232,12 @@ class Calibrator {
     }
   }
 
+  bool vague(std::size_t k) const { return !(c_.errors[k] < uncertain * std::abs(c_.values[k])); }
+
   void say_alike() {
     for (std::size_t i = 0; i < task_.free.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j)
-        if (std::abs(c_.correlations[i][j]) > alike)
+        if (std::abs(c_.correlations[i][j]) > alike && (vague(i) || vague(j)))
           c_.said.push_back(fmt::format("these curves cannot tell {} and {} apart (correlation {:.3f}): give one of "
                                         "them, or measure what parts them, as an unloading",
                                         task_.free[j].key, task_.free[i].key, c_.correlations[i][j]));

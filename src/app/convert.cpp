@@ -1,0 +1,75 @@
+#include "app/commands.hpp"
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "core/toml.hpp"
+#include "material/card.hpp"
+#include "material/deck.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace platen::app {
+namespace {
+
+struct Options {
+  std::string deck, card, units, material;
+  std::optional<double> rho_r0;
+};
+
+const material::DeckMaterial& chosen(const std::vector<material::DeckMaterial>& all, const Options& o) {
+  std::vector<std::string> names;
+  for (const auto& m : all) {
+    if (m.name == o.material || (o.material.empty() && all.size() == 1)) return m;
+    names.push_back(core::in_quotes(m.name));
+  }
+  throw core::InvalidInput(o.material.empty()
+                               ? fmt::format("{}: {} materials: {}; choose one with --material", o.deck, all.size(),
+                                             fmt::join(names, ", "))
+                               : fmt::format("--material {}: {} has {}", o.material, o.deck, fmt::join(names, ", ")));
+}
+
+void convert(const Options& o) {
+  if (!std::filesystem::exists(o.deck))
+    throw core::InvalidInput(fmt::format("{}: there is no such file", o.deck));
+  const auto decks = material::read_deck(core::read_file(o.deck), o.deck);
+  const auto& deck = chosen(decks, o);
+  if (o.units.empty()) throw core::InvalidInput(material::which_units(deck));
+  const auto& units = material::deck_units(o.units);
+  const auto converted = material::convert(deck, units, o.rho_r0);
+  std::string source = fmt::format("converted from {}, units {}", std::filesystem::path(o.deck).filename().string(),
+                                   units.words);
+  if (!converted.left_over.empty())
+    source += fmt::format("; without counterpart: {}", fmt::join(converted.left_over, "; "));
+  const std::string text =
+      fmt::format("{}\n[source]\ndefault = {}\n", card_text(converted.material), core::in_quotes(source));
+  (void)material::read_card(core::parse_toml(text, o.deck)); // what the model does not admit is said now
+  if (o.card.empty()) fmt::print("{}", text);
+  else core::write_file(o.card, text);
+  std::string words;
+  for (const auto& sentence : converted.said) words += sentence + "\n";
+  if (!converted.left_over.empty()) words += "without counterpart here:\n";
+  for (const auto& line : converted.left_over) words += fmt::format("  {}\n", line);
+  if (!o.card.empty()) fmt::print("{}", words);
+}
+
+} // namespace
+
+void add_convert(Command program) {
+  auto command = program.add_subcommand("convert", "a material card from an Abaqus input file");
+  auto o = std::make_shared<Options>();
+  command.add_option("DECK.inp", o->deck, "input file with a *MATERIAL").required();
+  command.add_option("-o", o->card, "write the material card here").type_name("MATERIAL.toml");
+  command.add_option("--units", o->units, "si, mm-tonne-MPa, mm-kg-GPa, m-tonne-kPa or in-lbf-psi").type_name("SYSTEM");
+  command.add_option("--material", o->material, "which one, where there are several").type_name("NAME");
+  command.add_option("--rho_r0", o->rho_r0, "*CAP PLASTICITY: relative density at volumetric plastic strain 0")
+      .type_name("NUMBER");
+  command.footer("Reads *ELASTIC, *DENSITY, *PLASTIC, *DRUCKER PRAGER, *CAP PLASTICITY and *MOHR COULOMB with their\n"
+                 "hardening; lists whatever else the material says.\n"
+                 "Example: platen convert tablet.inp --units mm-tonne-MPa -o tablet.toml");
+  command.callback([o] { convert(*o); });
+}
+
+} // namespace platen::app
