@@ -208,28 +208,6 @@ class Calibrator {
       }
       for (auto& d : fit::doubts_about(claim)) c_.doubts.push_back(std::move(d));
     }
-    machine_alone();
-  }
-
-  /// A frame without a particle in it: force proportional to travel, there and back on the same line.
-  void machine_alone() {
-    for (const auto& p : c_.particles) {
-      const auto& s = p.samples;
-      double xx = 0, xF = 0, n = 0, mx = 0, mF = 0, FF = 0;
-      for (std::size_t i = 0; i < s.force_N.size(); ++i)
-        if (s.force_N[i] > 0.05 * s.force_max_N) mx += s.travel_m[i], mF += s.force_N[i], n += 1;
-      mx /= n, mF /= n;
-      for (std::size_t i = 0; i < s.force_N.size(); ++i)
-        if (s.force_N[i] > 0.05 * s.force_max_N) {
-          const double dx = s.travel_m[i] - mx, dF = s.force_N[i] - mF;
-          xx += dx * dx, xF += dx * dF, FF += dF * dF;
-        }
-      const double R2 = xF * xF / (xx * FF);
-      if (R2 > 0.9999 && p.delta_bar_max < 0.05)
-        c_.doubts.push_back({true, fmt::format("{}: force is proportional to travel (R2 of a straight line {:.6f}, "
-                                               "{:.3g} um/N), as of a machine with no particle in it",
-                                               p.name, R2, xx / xF * 1e6)});
-    }
   }
 
   bool vague(std::size_t k) const { return !(c_.errors[k] < uncertain * std::abs(c_.values[k])); }

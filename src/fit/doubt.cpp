@@ -1,6 +1,7 @@
 #include "fit/doubt.hpp"
 
 #include "core/error.hpp"
+#include "fit/onset.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,7 +19,9 @@ constexpr double delta_bar_refused = 1, delta_bar_usual = 0.5;
 constexpr double ratio_least = 3, ratio_most = 1e5;
 constexpr double R2_refused = 0.9, R2_usual = 0.98;
 constexpr double stiffer_than_Hertz = 1.3; // noise, and the finite sphere, allow this much
-constexpr double softer_than_Hertz = 1e-5;
+constexpr double softer_than_Hertz = 5e-4; // E/sigma_y = 10^4 begins ten times as stiff
+constexpr double gap_refused = 0.03, offset_refused = 0.03; // of the way, of the largest force
+constexpr double straight_R2 = 0.9999, straight_delta_bar = 0.05;
 
 struct Reading {
   std::string_view words;
@@ -35,6 +38,7 @@ class Gate {
   std::vector<Doubt> doubts() {
     overlap();
     start();
+    straight_line();
     stiffness();
     strength();
     quality();
@@ -64,18 +68,38 @@ class Gate {
   /// Force that begins late, or is there before contact: a gap, a load cell off zero.
   void start() {
     if (c_.contact_known || c_.force_N.size() < 8) return;
-    std::size_t first = 0;
-    while (first < c_.force_N.size() && c_.force_N[first] < 0.02 * force_max_) ++first;
     const double delta_max = delta_bar_ * c_.radius_m;
-    if (first >= 3 && first < c_.force_N.size() && c_.delta_m[first] > 0.04 * delta_max)
-      say(true, fmt::format("no force up to delta = {:.3g} um, {:.2g} of the way: the platens were not in contact "
-                            "yet; platen calibrate finds the contact point",
-                            c_.delta_m[first] * 1e6, c_.delta_m[first] / delta_max));
+    const Onset onset = find_onset(c_.delta_m, c_.force_N, 0, 2);
+    const double share = (onset.x - std::max(0.0, c_.delta_m.front())) / delta_max;
+    if (share > gap_refused && onset.x > 3 * onset.uncertainty)
+      say(true, fmt::format("force begins at delta = {:.3g} um, {:.2g} of the way: the platens were not in contact "
+                            "before; platen calibrate finds the contact point",
+                            onset.x * 1e6, share));
     const double at_start = c_.force_N.front();
-    if (c_.delta_m.front() < 2e-3 * delta_max && std::abs(at_start) > 0.03 * force_max_)
+    if (c_.delta_m.front() < 2e-3 * delta_max && std::abs(at_start) > offset_refused * force_max_)
       say(true, fmt::format("the force is {:.3g} N, {:.2g} of the largest, where delta is 0: the load cell is off "
                             "zero, or the travel begins after contact; platen calibrate finds both",
                             at_start, at_start / force_max_));
+  }
+
+  /// A frame without a particle in it gives force in proportion to travel. A particle does not: it begins
+  /// as Hertz's.
+  void straight_line() {
+    double n = 0, mx = 0, mF = 0, xx = 0, xF = 0, FF = 0;
+    const auto counts = [&](std::size_t i) { return c_.force_N[i] > 0.02 * force_max_; };
+    for (std::size_t i = 0; i < c_.force_N.size(); ++i)
+      if (counts(i)) mx += c_.delta_m[i], mF += c_.force_N[i], n += 1;
+    if (n < 8) return;
+    for (std::size_t i = 0; i < c_.force_N.size(); ++i)
+      if (counts(i)) {
+        const double dx = c_.delta_m[i] - mx / n, dF = c_.force_N[i] - mF / n;
+        xx += dx * dx, xF += dx * dF, FF += dF * dF;
+      }
+    const double line_R2 = xF * xF / (xx * FF);
+    if (line_R2 > straight_R2 && delta_bar_ < straight_delta_bar)
+      say(true, fmt::format("force is proportional to overlap (R2 of a straight line {:.6f}, {:.3g} N/um), as of a "
+                            "machine with no particle in it",
+                            line_R2, xF / xx * 1e-6));
   }
 
   /// Of the foot of the curve, over Hertz's: 4/3 E/(1 - nu^2) sqrt(R) delta^(3/2).

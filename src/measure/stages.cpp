@@ -1,11 +1,12 @@
 #include "measure/stages.hpp"
 
+#include "fit/onset.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace platen::measure {
 namespace {
@@ -94,73 +95,6 @@ std::optional<Break> find_break(const Numbers& F, const Stages& stages, const st
   return {};
 }
 
-/// Straight line by least squares; its value at x = 0 and its slope.
-std::pair<double, double> line(const Numbers& x, const Numbers& y) {
-  const double n = static_cast<double>(x.size());
-  const double mx = std::accumulate(x.begin(), x.end(), 0.0) / n, my = std::accumulate(y.begin(), y.end(), 0.0) / n;
-  double sxx = 0, sxy = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) sxx += (x[i] - mx) * (x[i] - mx), sxy += (x[i] - mx) * (y[i] - my);
-  const double slope = sxx > 0 ? sxy / sxx : 0;
-  return {my - slope * mx, slope};
-}
-
-/// F = baseline + A max(x - x_0, 0)^p on the foot of the first loading: for every x_0 and p the rest is linear.
-struct Foot {
-  double x_0 = 0, baseline = 0, deviation = std::numeric_limits<double>::infinity();
-};
-Foot foot_at(const Numbers& x, const Numbers& F, double x_0, double p, bool with_baseline) {
-  Numbers u(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) u[i] = x[i] > x_0 ? std::pow(x[i] - x_0, p) : 0;
-  double baseline = 0, A = 0;
-  if (with_baseline) std::tie(baseline, A) = line(u, F);
-  else {
-    const double uu = std::inner_product(u.begin(), u.end(), u.begin(), 0.0);
-    A = uu > 0 ? std::inner_product(u.begin(), u.end(), F.begin(), 0.0) / uu : 0;
-  }
-  double sum = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) sum += std::pow(F[i] - baseline - A * u[i], 2);
-  return {x_0, baseline, sum};
-}
-
-/// The best foot with x_0, and how far x_0 may move until the deviation grows by that of one more row.
-void find_contact(const Numbers& x, const Numbers& F, std::size_t end, double scale, Stages& stages) {
-  const double F_max = *std::max_element(F.begin(), F.begin() + static_cast<long>(end));
-  std::size_t foot_end = 0;
-  while (foot_end < end && F[foot_end] < 0.35 * F_max) ++foot_end;
-  foot_end = std::clamp<std::size_t>(foot_end, std::min<std::size_t>(end, 6), end);
-  Numbers fx, fF;
-  const std::size_t stride = std::max<std::size_t>(1, foot_end / 400);
-  for (std::size_t i = 0; i < foot_end; i += stride) fx.push_back(x[i]), fF.push_back(F[i]);
-  std::size_t before = 0; // rows that carry no force yet
-  const double threshold = std::max(5 * stages.force_noise_N, 0.02 * F_max);
-  while (before < fF.size() && std::abs(fF[before]) < threshold) ++before;
-  const bool with_baseline = before >= 6;
-  const double from = fx.front() - 0.5 * scale, to = fx.back();
-  Foot best;
-  double step = (to - from) / 60, low = from, high = to;
-  for (int level = 0; level < 6; ++level) {
-    for (double x_0 = low; x_0 < high; x_0 += step)
-      for (double p = 0.8; p < 1.65; p += 0.1)
-        if (const Foot foot = foot_at(fx, fF, x_0, p, with_baseline); foot.deviation < best.deviation) best = foot;
-    low = best.x_0 - 2 * step, high = best.x_0 + 2 * step;
-    step /= 8;
-  }
-  const double n = static_cast<double>(fx.size());
-  const double allowed = best.deviation * (1 + 1 / std::max(1.0, n - 4));
-  double reach = 0;
-  for (double d = 1e-4 * scale; d < scale; d *= 1.3) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const double x_0 : {best.x_0 - d, best.x_0 + d})
-      for (double p = 0.8; p < 1.65; p += 0.05)
-        least = std::min(least, foot_at(fx, fF, x_0, p, with_baseline).deviation);
-    if (least > allowed) break;
-    reach = d;
-  }
-  stages.contact_travel_m = best.x_0;
-  stages.contact_uncertainty_m = std::max(reach, 1e-4 * scale);
-  if (with_baseline) stages.baseline_N = best.baseline, stages.baseline_rows = before * stride;
-}
-
 } // namespace
 
 std::string_view name_of(Stage stage) {
@@ -200,7 +134,12 @@ Stages stages_of(const Specimen& s) {
   mark_holds(x, range, stages.travel_noise_m, stages);
   stages.broke = find_break(F, stages, rows);
   const std::size_t peak = rows.size() > 1 ? rows[1] : x.size() - 1;
-  find_contact(x, F, std::max<std::size_t>(stages.broke ? stages.broke->row : peak, 2), range, stages);
+  const auto end = static_cast<long>(std::max<std::size_t>(stages.broke ? stages.broke->row : peak, 2));
+  const auto onset = fit::find_onset({x.begin(), x.begin() + end}, {F.begin(), F.begin() + end}, stages.force_noise_N);
+  stages.contact_travel_m = onset.x;
+  stages.contact_uncertainty_m = onset.uncertainty;
+  stages.baseline_N = onset.baseline;
+  stages.baseline_rows = onset.rows_before;
   for (std::size_t i = 0; i < x.size() && i <= peak && x[i] < stages.contact_travel_m; ++i)
     stages.of_row[i] = Stage::approach;
   if (stages.broke)
