@@ -80,6 +80,7 @@ class Calibrator {
     task_.card.law = settings.law;
     task_.card.variant = settings.variant;
     task_.card.parameters = settings.given;
+    task_.scales = law_.scales;
     for (const auto& p : law_.parameters)
       if (!settings.given.contains(p.key)) task_.free.push_back(p);
   }
@@ -139,12 +140,14 @@ class Calibrator {
 
   /// One particle that cannot be fitted alone, as one of a batch that did not unload, does not stop the others.
   void fit_each() {
+    std::vector<double> start; // where the first ended
     for (auto& p : c_.particles) {
       Task task = task_;
-      task.curve_stress_Pa = curve_stress(p.samples);
       std::erase_if(task.free, [&](const auto& f) { return f.of_unloading && !p.samples.unloads; });
       if (task.free.size() != task_.free.size()) continue;
-      const Solution found = search(task, {p.samples});
+      task.curve_stress_Pa = task_.curve_stress_Pa;
+      const Solution found = search(task, {p.samples}, start);
+      if (start.empty()) start = found.values;
       p.values = found.values, p.errors = found.errors;
       p.samples.contact_guess_m = found.own.front().contact_m;
     }
@@ -153,7 +156,8 @@ class Calibrator {
   void fit_all() {
     std::vector<Samples> samples;
     for (const auto& p : c_.particles) samples.push_back(p.samples);
-    const Solution all = search(task_, samples);
+    const auto& first = c_.particles.front().values;
+    const Solution all = search(task_, samples, first);
     c_.values = all.values, c_.errors = all.errors, c_.correlations = all.correlations;
     double sum = 0, weight = 0;
     for (std::size_t i = 0; i < c_.particles.size(); ++i) {

@@ -41,7 +41,8 @@ const std::vector<FreeLaw>& all() {
           {"n", false, false, 1, 2, {1.1, 1.5, 1.9}, false},
           {"lambda_p", false, false, 1e-3, 0.999, {0.3, 0.9}, true}},
          "",
-         true},
+         true,
+         false}, // unless n is 3/2
     };
     for (const std::string_view name : {"kogut-etsion", "etsion-unloading", "jackson-green", "mdr"})
       list.push_back({name, {sigma_y, E}, "sigma_y_Pa", true});

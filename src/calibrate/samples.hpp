@@ -32,24 +32,26 @@ struct Samples {
 Samples samples_of(const measure::Specimen&, const measure::Stages&, const measure::Machine&,
                    bool with_unloading);
 
-/// The force of the law (made against a plane with the radius of the samples) at each row, and its stiffness
-/// where asked for. Below the largest overlap the law unloads from the row where the platens turned.
+/// The force of the law at each row, and its stiffness where asked for. The law is made against a plane, for a
+/// particle of radius `made_for`; it gives F = R^2 f(delta/R). Below the largest overlap it unloads from the
+/// row where the platens turned.
 template <class Law>
-void predict(const Law& law, const Samples& s, double contact_m, std::vector<double>& force,
+void predict(const Law& law, double made_for, const Samples& s, double contact_m, std::vector<double>& force,
              std::vector<double>* stiffness = nullptr) {
   using measure::Stage;
   force.resize(s.travel_m.size());
   if (stiffness) stiffness->resize(s.travel_m.size());
+  const double length = s.radius_m / made_for;
   double largest = 0, last = 0;
   bool closing = true; // a hold belongs to what was before it
   for (std::size_t i = 0; i < s.travel_m.size(); ++i) {
-    const double delta = s.delta(i, contact_m);
+    const double delta = s.delta(i, contact_m) / length;
     const bool back = s.stage[i] == Stage::unloading || s.stage[i] == Stage::reloading;
     if (s.stage[i] != Stage::hold) closing = !back;
     const law::State before{last, closing ? 0.0 : largest};
     const auto response = evaluate(law, before, delta);
-    force[i] = response.force;
-    if (stiffness) (*stiffness)[i] = response.stiffness;
+    force[i] = response.force * length * length;
+    if (stiffness) (*stiffness)[i] = response.stiffness * length;
     largest = delta > largest ? delta : largest;
     last = delta;
   }

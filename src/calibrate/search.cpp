@@ -40,26 +40,57 @@ law::ParameterTexts texts_of(const Task& task, const double* theta, double radiu
   return texts;
 }
 
-/// False where the law has no such material.
-bool predicted(const Task& task, const Samples& s, const double* theta, double contact_m, Numbers& force,
-               Numbers* stiffness = nullptr) {
-  try {
-    const auto law = fit::make_law(task.card, texts_of(task, theta, s.radius_m));
-    predict(law, s, contact_m, force, stiffness);
-  } catch (const core::InvalidInput&) { return false; }
-  return std::ranges::all_of(force, [](double F) { return std::isfinite(F); });
-}
+using Law = decltype(fit::make_law(std::declval<fit::LawCard>(), std::declval<law::ParameterTexts>()));
+
+/// Laws that were made: making one takes a hundred times as long as evaluating it, and the particles and
+/// derivatives ask for the same few again and again. Null where the law has no such material.
+class Workshop {
+ public:
+  explicit Workshop(const Task& task) : task_(task) {}
+
+  double made_for(const Samples& s) const { return task_.scales ? 1.0 : s.radius_m; }
+
+  std::shared_ptr<const Law> law(const double* theta, double radius_m) {
+    Numbers key(theta, theta + task_.free.size());
+    key.push_back(radius_m);
+    for (const auto& [known, made] : made_)
+      if (known == key) return made;
+    std::shared_ptr<const Law> made;
+    try {
+      made = std::make_shared<const Law>(fit::make_law(task_.card, texts_of(task_, theta, radius_m)));
+    } catch (const core::InvalidInput&) {}
+    constexpr std::size_t kept = 64;
+    if (made_.size() < kept) made_.emplace_back(std::move(key), made);
+    else made_[next_++ % kept] = {std::move(key), made};
+    return made;
+  }
+
+  bool predicted(const Samples& s, const double* theta, double contact_m, Numbers& force,
+                 Numbers* stiffness = nullptr) {
+    const auto made = law(theta, made_for(s));
+    if (!made) return false;
+    predict(*made, made_for(s), s, contact_m, force, stiffness);
+    return std::ranges::all_of(force, [](double F) { return std::isfinite(F); });
+  }
+
+  const Task& task() const { return task_; }
+
+ private:
+  const Task& task_;
+  std::vector<std::pair<Numbers, std::shared_ptr<const Law>>> made_;
+  std::size_t next_ = 0;
+};
 
 /// theta of the law; contact point over R; baseline over the largest force.
 struct Residuals {
-  const Task* task;
+  Workshop* workshop;
   const Samples* s;
   bool baseline;
 
   bool operator()(const double* const* blocks, double* residuals) const {
     Numbers force;
     const double contact = s->contact_guess_m + blocks[1][0] * s->radius_m;
-    if (!predicted(*task, *s, blocks[0], contact, force)) return false;
+    if (!workshop->predicted(*s, blocks[0], contact, force)) return false;
     const double zero = baseline ? blocks[2][0] * s->force_max_N : 0;
     for (std::size_t i = 0; i < force.size(); ++i)
       residuals[i] = (s->force_N[i] - zero - force[i]) / s->sigma_N[i];
@@ -85,15 +116,16 @@ struct State {
 
 class Problem {
  public:
-  Problem(const Task& task, const std::vector<Samples>& samples, State state)
-      : task_(task), samples_(samples), state_(std::move(state)) {
+  Problem(Workshop& workshop, const std::vector<Samples>& samples, State state)
+      : samples_(samples), state_(std::move(state)) {
+    const Task& task = workshop.task();
     const Coordinates c{task};
     ceres::NumericDiffOptions numeric;
     numeric.relative_step_size = 1e-5; // the tables of a law are smooth to 1e-6 or so
     for (std::size_t p = 0; p < samples.size(); ++p) {
       const bool zero = samples[p].apart >= least_apart;
       auto* cost = new ceres::DynamicNumericDiffCostFunction<Residuals, ceres::CENTRAL>(
-          new Residuals{&task, &samples[p], zero}, ceres::TAKE_OWNERSHIP, numeric);
+          new Residuals{&workshop, &samples[p], zero}, ceres::TAKE_OWNERSHIP, numeric);
       std::vector<double*> blocks = {state_.theta.data(), &state_.contact[p]};
       cost->AddParameterBlock(static_cast<int>(task.free.size()));
       cost->AddParameterBlock(1);
@@ -151,14 +183,14 @@ class Problem {
   static constexpr std::size_t least_apart = 8; // rows that show the zero of the load cell
 
  private:
-  const Task& task_;
   const std::vector<Samples>& samples_;
   State state_;
   ceres::Problem problem_;
 };
 
 /// Every combination of starts, cheapest deviations first.
-std::vector<Numbers> starts(const Task& task, const Samples& s) {
+std::vector<Numbers> starts(Workshop& workshop, const Samples& s) {
+  const Task& task = workshop.task();
   const Coordinates c{task};
   std::vector<Numbers> grid = {{}};
   for (std::size_t k = 0; k < task.free.size(); ++k) {
@@ -173,7 +205,7 @@ std::vector<Numbers> starts(const Task& task, const Samples& s) {
   std::vector<std::pair<double, std::size_t>> order;
   Numbers force;
   for (std::size_t g = 0; g < grid.size(); ++g) {
-    if (!predicted(task, s, grid[g].data(), s.contact_guess_m, force)) continue;
+    if (!workshop.predicted(s, grid[g].data(), s.contact_guess_m, force)) continue;
     double sum = 0;
     for (std::size_t i = 0; i < force.size(); ++i) sum += std::pow((s.force_N[i] - force[i]) / s.sigma_N[i], 2);
     order.emplace_back(sum, g);
@@ -190,12 +222,12 @@ std::vector<Numbers> starts(const Task& task, const Samples& s) {
 }
 
 /// From the stiffness of a first fit.
-void weigh(const Task& task, std::vector<Samples>& samples, const State& state) {
+void weigh(Workshop& workshop, std::vector<Samples>& samples, const State& state) {
   Numbers force, stiffness;
   for (std::size_t p = 0; p < samples.size(); ++p) {
     auto& s = samples[p];
     const double contact = s.contact_guess_m + state.contact[p] * s.radius_m;
-    if (!predicted(task, s, state.theta.data(), contact, force, &stiffness)) continue;
+    if (!workshop.predicted(s, state.theta.data(), contact, force, &stiffness)) continue;
     const double floor = std::max(s.force_noise_N, 1e-4 * s.force_max_N);
     for (std::size_t i = 0; i < force.size(); ++i) {
       const double k = s.per_travel * stiffness[i];
@@ -205,11 +237,11 @@ void weigh(const Task& task, std::vector<Samples>& samples, const State& state) 
 }
 
 /// Particles of one batch fit the law more or less well; each counts by how well it does.
-void level(const Task& task, std::vector<Samples>& samples, const State& state) {
+void level(Workshop& workshop, std::vector<Samples>& samples, const State& state) {
   for (std::size_t p = 0; p < samples.size(); ++p) {
     auto& s = samples[p];
     Numbers force;
-    if (!predicted(task, s, state.theta.data(), s.contact_guess_m + state.contact[p] * s.radius_m, force)) continue;
+    if (!workshop.predicted(s, state.theta.data(), s.contact_guess_m + state.contact[p] * s.radius_m, force)) continue;
     double sum = 0;
     for (std::size_t i = 0; i < force.size(); ++i)
       sum += std::pow((s.force_N[i] - state.baseline[p] * s.force_max_N - force[i]) / s.sigma_N[i], 2);
@@ -220,25 +252,33 @@ void level(const Task& task, std::vector<Samples>& samples, const State& state) 
 
 } // namespace
 
-Solution search(const Task& task, std::vector<Samples> samples) {
+Solution search(const Task& task, std::vector<Samples> samples, const Numbers& given_start) {
   const std::size_t n = samples.size(), free = task.free.size();
+  const Coordinates c{task};
+  Workshop workshop(task);
   State state;
-  for (const auto& start : starts(task, samples.front())) {
-    State begun{start, Numbers(n, 0.0), Numbers(n, 0.0)};
-    State found = Problem(task, samples, std::move(begun)).solve();
+  std::vector<Numbers> begins;
+  if (given_start.empty()) begins = starts(workshop, samples.front());
+  else {
+    begins.emplace_back();
+    for (std::size_t k = 0; k < free; ++k) begins.back().push_back(c.inside(k, given_start[k]));
+  }
+  for (const auto& begin : begins) {
+    State begun{begin, Numbers(n, 0.0), Numbers(n, 0.0)};
+    State found = Problem(workshop, samples, std::move(begun)).solve();
     if (found.cost < state.cost) state = std::move(found);
   }
   if (state.theta.empty()) throw core::ConvergenceError("the law could not be fitted to these rows", 0, 100, 1);
   for (int again = 0; again < 2; ++again) {
-    weigh(task, samples, state);
-    if (n > 1) level(task, samples, state);
-    state = Problem(task, samples, state).solve();
+    weigh(workshop, samples, state);
+    if (n > 1) level(workshop, samples, state);
+    state = Problem(workshop, samples, state).solve();
   }
   if (!std::isfinite(state.cost)) throw core::ConvergenceError("the law could not be fitted to these rows", 0, 100, 1);
 
   Solution solution;
   solution.converged = state.converged;
-  Problem problem(task, samples, state);
+  Problem problem(workshop, samples, state);
   const Eigen::MatrixXd J = problem.jacobian();
   solution.reduced_chi_squared = 2 * state.cost / std::max(1.0, static_cast<double>(J.rows() - J.cols()));
   // Columns in units of their own length: what has no effect is left out of the inversion.
@@ -253,7 +293,6 @@ Solution search(const Task& task, std::vector<Samples> samples) {
     return length[k] > 1e-9 * longest ? std::sqrt(std::max(0.0, covariance(k, k))) / length[k]
                                       : std::numeric_limits<double>::infinity();
   };
-  const Coordinates c{task};
   for (std::size_t k = 0; k < free; ++k) {
     const auto column = static_cast<Eigen::Index>(k);
     const double theta = state.theta[k];
@@ -278,7 +317,7 @@ Solution search(const Task& task, std::vector<Samples> samples) {
     own.contact_error_m = sd(static_cast<Eigen::Index>(free + p)) * s.radius_m;
     own.baseline_fitted = s.apart >= Problem::least_apart;
     own.baseline_N = own.baseline_fitted ? state.baseline[p] * s.force_max_N : 0;
-    predicted(task, s, state.theta.data(), own.contact_m, own.force_N);
+    workshop.predicted(s, state.theta.data(), own.contact_m, own.force_N);
     solution.own.push_back(std::move(own));
   }
   return solution;

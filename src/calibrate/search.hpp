@@ -33,10 +33,12 @@ struct Task {
   fit::LawCard card; ///< law, variant and the parameters that are given
   std::vector<FreeParameter> free;
   double curve_stress_Pa = 0; ///< S of the free parameters
+  bool scales = true;         ///< one law serves all radii
 };
 
 /// Weighted by what the noise of force and travel lets expect: the stiff rows of an unloading say little of
-/// the force and much of the travel. Started from the best of a grid of starts. Throws core::Interrupted.
-Solution search(const Task&, std::vector<Samples>);
+/// the force and much of the travel. Started from `start`, or where that is empty from the best of a grid of
+/// starts. Throws core::Interrupted.
+Solution search(const Task&, std::vector<Samples>, const std::vector<double>& start = {});
 
 } // namespace platen::calibrate
