@@ -6,6 +6,7 @@
 #include "measure/stages.hpp"
 #include "platen/law/catalogue.hpp"
 
+#include <cmath>
 #include <vector>
 
 namespace platen::calibrate {
@@ -45,11 +46,21 @@ void predict(const Law& law, double made_for, const Samples& s, double contact_m
   double largest = 0, last = 0;
   bool closing = true; // a hold belongs to what was before it
   for (std::size_t i = 0; i < s.travel_m.size(); ++i) {
-    const double delta = s.delta(i, contact_m) / length;
+    double delta = s.delta(i, contact_m) / length;
     const bool back = s.stage[i] == Stage::unloading || s.stage[i] == Stage::reloading;
     if (s.stage[i] != Stage::hold) closing = !back;
     const law::State before{last, closing ? 0.0 : largest};
-    const auto response = evaluate(law, before, delta);
+    auto response = evaluate(law, before, delta);
+    // The machine gives way under the law's force, not under the noisy one that was measured.
+    const double softness = s.per_travel * s.compliance[i];
+    for (int iteration = 0; softness > 0 && iteration < 4; ++iteration) {
+      const double F = response.force * length * length, k = response.stiffness * length;
+      const double at = s.delta(i, contact_m) + softness * (s.force_N[i] - F);
+      const double off = at - delta * length;
+      delta += off / (1 + k * softness) / length;
+      response = evaluate(law, before, delta);
+      if (std::abs(off) < 1e-7 * s.radius_m) break;
+    }
     force[i] = response.force * length * length;
     if (stiffness) (*stiffness)[i] = response.stiffness * length;
     largest = delta > largest ? delta : largest;

@@ -231,7 +231,7 @@ void weigh(Workshop& workshop, std::vector<Samples>& samples, const State& state
     const double floor = std::max(s.force_noise_N, 1e-4 * s.force_max_N);
     for (std::size_t i = 0; i < force.size(); ++i) {
       const double k = s.per_travel * stiffness[i];
-      s.sigma_N[i] = std::hypot(floor * (1 + k * s.compliance[i]), k * s.travel_noise_m);
+      s.sigma_N[i] = std::hypot(floor, k * s.travel_noise_m / (1 + k * s.compliance[i]));
     }
   }
 }

@@ -73,24 +73,24 @@ void mark_holds(const Numbers& x, double range, double travel_noise, Stages& sta
   }
 }
 
-std::optional<Break> find_break(const Numbers& F, const Stages& stages, const std::vector<std::size_t>& rows) {
+/// Of a whole particle's force only noise is lost while the platens close. A loop takes nothing from the force
+/// to come back to; a break, under which the frame springs back, may look like one.
+std::optional<Break> find_break(const Numbers& F, const Stages& stages) {
+  constexpr double least_share = 0.1;
   const double F_max = *std::ranges::max_element(F);
-  constexpr double least_share = 0.1; // of a whole particle's force only noise is lost while it is pressed
-  for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
-    double highest = 0;
-    for (std::size_t i = rows[k]; i < rows[k + 1]; ++i) {
-      const bool pressing = stages.of_row[i] == Stage::loading || stages.of_row[i] == Stage::reloading;
-      if (!pressing) {
-        highest = 0;
-        continue;
-      }
-      if (highest > 0.1 * F_max && highest > 20 * stages.force_noise_N) {
-        const double now = i + 1 < rows[k + 1] ? std::max(F[i], F[i + 1]) : F[i];
-        const double fell = highest - now;
-        if (fell > least_share * highest && fell > 8 * stages.force_noise_N) return Break{i, fell / highest};
-      }
-      highest = std::max(highest, F[i]);
+  double loaded = 0, reloaded = 0; // highest so far on the loading curve, and in this reloading
+  for (std::size_t i = 0; i < F.size(); ++i) {
+    const Stage stage = stages.of_row[i];
+    if (stage == Stage::hold && i > 0 && stages.of_row[i - 1] != Stage::hold) loaded = 0; // it may relax
+    if (stage == Stage::unloading) reloaded = 0;
+    if (stage != Stage::loading && stage != Stage::reloading) continue;
+    double& highest = stage == Stage::loading ? loaded : reloaded;
+    if (highest > 0.1 * F_max && highest > 20 * stages.force_noise_N) {
+      const double now = i + 1 < F.size() && stages.of_row[i + 1] == stage ? std::max(F[i], F[i + 1]) : F[i];
+      const double fell = highest - now;
+      if (fell > least_share * highest && fell > 8 * stages.force_noise_N) return Break{i, fell / highest};
     }
+    highest = std::max(highest, F[i]);
   }
   return {};
 }
@@ -132,7 +132,7 @@ Stages stages_of(const Specimen& s) {
     }
   }
   mark_holds(x, range, stages.travel_noise_m, stages);
-  stages.broke = find_break(F, stages, rows);
+  stages.broke = find_break(F, stages);
   const std::size_t peak = rows.size() > 1 ? rows[1] : x.size() - 1;
   const auto end = static_cast<long>(std::max<std::size_t>(stages.broke ? stages.broke->row : peak, 2));
   const auto onset = fit::find_onset({x.begin(), x.begin() + end}, {F.begin(), F.begin() + end}, stages.force_noise_N);

@@ -99,8 +99,10 @@ Text decode(std::string bytes, const std::string& file) {
         return {file, *text, "UTF-16 without byte-order mark"};
     refuse(file, "a binary file");
   }
-  if (is_utf8(all))
-    return {file, std::move(bytes), std::ranges::all_of(all, [](char c) { return c > 0; }) ? "ASCII" : "UTF-8"};
+  if (is_utf8(all)) {
+    const bool ascii = std::ranges::all_of(all, [](char c) { return c > 0; });
+    return {file, std::move(bytes), ascii ? "ASCII" : "UTF-8"};
+  }
   if (looks_japanese(all))
     if (auto text = converted(all, "CP932")) return {file, *text, "Shift-JIS"};
   if (auto text = converted(all, "WINDOWS-1252")) return {file, *text, "Latin-1"};
