@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -90,6 +91,7 @@ class Calibrator {
     fit_each();
     fit_all();
     say_alike();
+    say_scatter();
     write_card();
     return std::move(c_);
   }
@@ -215,6 +217,19 @@ class Calibrator {
   }
 
   bool vague(std::size_t k) const { return !(c_.errors[k] < uncertain * std::abs(c_.values[k])); }
+
+  /// Standard errors know noise alone; particles of one batch may differ by more.
+  void say_scatter() {
+    for (std::size_t k = 0; k < task_.free.size(); ++k) {
+      double low = std::numeric_limits<double>::infinity(), high = -low, error = 0;
+      for (const auto& p : c_.particles)
+        if (k < p.values.size()) low = std::min(low, p.values[k]), high = std::max(high, p.values[k]), error = std::max(error, p.errors[k]);
+      if (high - low > 8 * error && high - low > 0.1 * std::abs(c_.values[k]))
+        c_.said.push_back(fmt::format("the particles differ by more than their noise: {} from {:.4g} to {:.4g}; is each "
+                                      "diameter right?",
+                                      task_.free[k].key, low, high));
+    }
+  }
 
   void say_alike() {
     for (std::size_t i = 0; i < task_.free.size(); ++i) {

@@ -32,12 +32,11 @@ Foot foot_at(const Numbers& x, const Numbers& F, double x_0, double p, bool with
   return {x_0, baseline, sum};
 }
 
-} // namespace
-
-Onset find_onset(const Numbers& x, const Numbers& F, double force_noise, double p_most) {
+/// Of the rows up to a share of the largest force.
+Onset onset_below(double share, const Numbers& x, const Numbers& F, double force_noise, double p_most) {
   const double F_max = *std::ranges::max_element(F);
   std::size_t end = 0;
-  while (end < F.size() && F[end] < 0.35 * F_max) ++end;
+  while (end < F.size() && F[end] < share * F_max) ++end;
   end = std::clamp<std::size_t>(end, std::min<std::size_t>(F.size(), 6), F.size());
   Numbers fx, fF;
   const std::size_t stride = std::max<std::size_t>(1, end / 400); // more rows do not show it better
@@ -67,6 +66,15 @@ Onset find_onset(const Numbers& x, const Numbers& F, double force_noise, double 
     reach = d;
   }
   return {best.x_0, reach, with_baseline ? best.baseline : 0, with_baseline ? before * stride : 0};
+}
+
+} // namespace
+
+Onset find_onset(const Numbers& x, const Numbers& F, double force_noise, double p_most) {
+  const Onset near = onset_below(0.15, x, F, force_noise, p_most), far = onset_below(0.35, x, F, force_noise, p_most);
+  Onset best = near.uncertainty < 3 * far.uncertainty ? near : far;
+  best.uncertainty += std::abs(near.x - far.x); // no power law holds far, elastic at first and plastic then
+  return best;
 }
 
 } // namespace platen::fit

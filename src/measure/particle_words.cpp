@@ -67,7 +67,9 @@ bool names_particle(const std::string& text, const Dialect& dialect) {
 
 std::string particle_name(const std::string& text) {
   const auto end = std::min(text.find(','), text.find(';'));
-  return std::string(trimmed(text.substr(0, std::min(end, text.size()))));
+  std::string name(trimmed(text.substr(0, std::min(end, text.size()))));
+  std::erase(name, ':');
+  return name;
 }
 
 } // namespace platen::measure

@@ -1,6 +1,7 @@
 #include "measure/sheet.hpp"
 
 #include "core/error.hpp"
+#include "core/interrupt.hpp"
 #include "core/toml.hpp"
 
 #include <fmt/format.h>
@@ -57,6 +58,7 @@ class Reader {
 
   Sheet read() {
     for (std::size_t i = 0; i < lines_.size(); ++i) {
+      if (i % 65536 == 0 && core::interrupted()) throw core::Interrupted("stopped; nothing was written");
       split(lines_[i], sheet_.dialect, cells_);
       line_ = static_cast<int>(i) + 1;
       const Census c = census(cells_, sheet_.dialect);
@@ -103,6 +105,7 @@ class Reader {
     if (!pending_.empty() && pending_.back().line == header.line - 1 && spans(pending_.back(), header))
       table.titles = pending_.back().cells;
     table.line = header.line;
+    if (sheet_.dialect.delimiter == ' ' && header.cells.size() != cells_.size()) join_words(header, cells_.size());
     auto& names = header.cells;
     while (!names.empty() && names.back().empty() && names.size() > cells_.size()) names.pop_back();
     while (!names.empty() && names.back().empty() && (cells_.size() < names.size() || cells_.back().empty()))
@@ -117,6 +120,22 @@ class Reader {
     pending_.clear();
     sheet_.tables.push_back(std::move(table));
     open_ = true;
+  }
+
+  /// Between blanks, names of several words come apart: "Load (N)   Travel (mm)".
+  void join_words(Remark& header, std::size_t wanted) const {
+    std::vector<std::string> wide, bracketed;
+    const auto line = lines_[static_cast<std::size_t>(header.line) - 1];
+    for (std::size_t start = line.find_first_not_of(' '); start < line.size();) {
+      const auto stop = std::min({line.find("  ", start), line.find('\t', start), line.size()});
+      wide.emplace_back(trimmed(line.substr(start, stop - start)));
+      start = line.find_first_not_of(" \t", stop);
+    }
+    for (const auto& word : header.cells)
+      if (!bracketed.empty() && (word.front() == '(' || word.front() == '[')) bracketed.back() += " " + word;
+      else bracketed.push_back(word);
+    if (wide.size() == wanted) header.cells = std::move(wide);
+    else if (bracketed.size() == wanted) header.cells = std::move(bracketed);
   }
 
   /// A line between rows that begins with a word is a row whose first number is none.

@@ -46,6 +46,8 @@ class Importer {
   };
 
   void read_table(const Table& table) {
+    for (const auto& remark : table.remarks) // of a file that `platen import` wrote
+      if (const std::string text = remark.text(); text.starts_with("# machine taken off")) say_once(text.substr(2));
     const auto groups = groups_of(table);
     for (const auto& group : groups) {
       Origin origin{&table, roles_of(sheet_, table, group, options_), {}};
@@ -175,8 +177,9 @@ class Importer {
         if (table.lines[row] == lines.front())
           what = fmt::format("{} in column {}", core::in_quotes(word), core::in_quotes(table.columns[k].heading.text));
     std::vector<int> shown(lines.begin(), lines.begin() + static_cast<long>(std::min<std::size_t>(lines.size(), 5)));
-    said_.push_back(fmt::format("{} {} without a reading left out: line {}{} ({})", lines.size(),
-                                lines.size() == 1 ? "row" : "rows", fmt::join(shown, ", "),
+    said_.push_back(fmt::format("{} without a reading left out: {} {}{} ({})",
+                                lines.size() == 1 ? "1 row" : fmt::format("{} rows", lines.size()),
+                                lines.size() == 1 ? "line" : "lines", fmt::join(shown, ", "),
                                 lines.size() > shown.size() ? " and others" : "", what));
   }
 

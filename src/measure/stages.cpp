@@ -54,10 +54,13 @@ std::vector<std::size_t> turns(const Numbers& x, double least) {
 void mark_holds(const Numbers& x, double range, double travel_noise, Stages& stages) {
   constexpr double band_share = 1e-3;
   const double band = std::max(4 * travel_noise, band_share * range);
-  Numbers steps;
-  for (std::size_t i = 1; i < x.size(); ++i) steps.push_back(std::abs(x[i] - x[i - 1]));
-  const double usual = std::max(median(std::move(steps)), 1e-300);
-  const auto least = static_cast<std::size_t>(std::max(5.0, 6 * band / usual));
+  Numbers steps; // over several rows, since travel that is written with few digits stands still in between
+  const std::size_t apart = std::max<std::size_t>(1, x.size() / 2000);
+  for (std::size_t i = apart; i < x.size(); i += apart)
+    steps.push_back(std::abs(x[i] - x[i - apart]) / static_cast<double>(apart));
+  const double usual = median(std::move(steps));
+  if (!(usual > 0)) return;
+  const auto least = static_cast<std::size_t>(std::clamp(6 * band / usual, 5.0, 1e9));
   for (std::size_t i = 0; i < x.size();) {
     std::size_t end = i + 1;
     double low = x[i], high = x[i];
@@ -69,7 +72,7 @@ void mark_holds(const Numbers& x, double range, double travel_noise, Stages& sta
       for (std::size_t k = i; k < end; ++k) stages.of_row[k] = Stage::hold;
       ++stages.holds;
       i = end;
-    } else ++i;
+    } else i += std::max<std::size_t>(1, (end - i) / 8);
   }
 }
 

@@ -193,7 +193,7 @@ TEST(Cases, RowsWithoutAReadingAndTheCutOneAreLeftOutAndSaid) {
   EXPECT_NEAR(value(c, "inverse_m"), 0.60, 0.02);
   const auto found = std::get<std::string>(fit::value_of(c.card.provenance, "found"));
   EXPECT_NE(found.find("line 162, the last, is cut"), std::string::npos) << found;
-  EXPECT_NE(found.find("line 79, 80 (\"-----\" in column \"Kraft in N\")"), std::string::npos) << found;
+  EXPECT_NE(found.find("lines 79, 80 (\"-----\" in column \"Kraft in N\")"), std::string::npos) << found;
   EXPECT_EQ(std::get<int>(fit::value_of(c.card.provenance, "rows")), 158);
 }
 
