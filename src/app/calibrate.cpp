@@ -4,6 +4,8 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/number.hpp"
+#include "plot/gnuplot.hpp"
+#include "plot/measured_picture.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,7 +18,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> curves, parameters;
-  std::string law, variant, card;
+  std::string law, variant, card, picture;
   MeasuredArguments measured;
   std::optional<double> E_Pa, nu;
   bool json = false;
@@ -53,18 +55,26 @@ std::string json_of(const calibrate::Calibration& c, const std::vector<std::stri
                          {"contact_standard_error_m", p.contact_error_m},
                          {"R2", p.R2},
                          {"values", p.values}});
-  const nlohmann::ordered_json json = {{"law", c.card.law},          {"parameters", parameters},
-                                       {"standard_errors", errors},  {"correlations", c.correlations},
-                                       {"R2", c.R2},                 {"delta_bar_max", c.delta_bar_max},
-                                       {"particles", particles},     {"broken", c.broken},
-                                       {"remarks", c.said},          {"doubts", flags}};
+  const nlohmann::ordered_json json = {{"law", c.card.law},
+                                       {"parameters", parameters},
+                                       {"standard_errors", errors},
+                                       {"correlations", c.correlations},
+                                       {"R2", c.R2},
+                                       {"delta_bar_max", c.delta_bar_max},
+                                       {"particles", particles},
+                                       {"broken", c.broken},
+                                       {"remarks", c.said},
+                                       {"doubts", flags}};
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 void calibrate_law(const Options& o) {
   const auto settings = settings_of(o);
   (void)calibrate::free_law(o.law);
-  auto c = calibrate::calibrate(measurements_of(o.curves, o.measured), settings);
+  if (!o.picture.empty()) (void)plot::format_of(o.picture);
+  const auto measurements = measurements_of(o.curves, o.measured);
+  auto c = calibrate::calibrate(measurements, settings);
+  if (!o.picture.empty()) plot::measured_picture(measurements, c, o.picture); // also of what is refused then
   std::string words = words_of(c);
   std::vector<std::string> flags;
   try {
@@ -82,9 +92,12 @@ void calibrate_law(const Options& o) {
 } // namespace
 
 void add_calibrate(Command program) {
-  auto command = program.add_subcommand("calibrate", "a contact law from measured particles, contact point included");
+  auto command =
+      program.add_subcommand("calibrate", "a contact law from measured particles, contact point included");
   auto o = std::make_shared<Options>();
-  command.add_option("CURVES", o->curves, "files of instruments, or of platen import; all particles of all files")
+  command
+      .add_option("CURVES", o->curves,
+                  "files of instruments, or of platen import; all particles of all files")
       .required();
   command
       .add_option("--law", o->law,
@@ -96,10 +109,14 @@ void add_calibrate(Command program) {
   command.add_option("--E_Pa", o->E_Pa, "Young's modulus, where it is known").type_name("NUMBER");
   command.add_option("-p", o->parameters, "another parameter that is known, key=value");
   command.add_option("-o", o->card, "write the law card here").type_name("LAW.toml");
+  command
+      .add_option("--picture", o->picture, "draw what was measured, cut, corrected and fitted: .svg or .png")
+      .type_name("FILE");
   add_measured_arguments(command, o->measured, true);
   command.add_flag("--json", o->json, "for a machine to read");
-  command.footer("Example: platen calibrate granules.txt --law shahin --nu 0.3 -o law.toml\n"
-                 "         platen calibrate bead.csv --law hertz --nu 0.22 --radius_m 1e-3 --empty-machine frame.csv");
+  command.footer(
+      "Example: platen calibrate granules.txt --law shahin --nu 0.3 -o law.toml\n"
+      "         platen calibrate bead.csv --law hertz --nu 0.22 --radius_m 1e-3 --empty-machine frame.csv");
   command.callback([o] { calibrate_law(*o); });
 }
 

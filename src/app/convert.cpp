@@ -25,10 +25,11 @@ const material::DeckMaterial& chosen(const std::vector<material::DeckMaterial>& 
     if (m.name == o.material || (o.material.empty() && all.size() == 1)) return m;
     names.push_back(core::in_quotes(m.name));
   }
-  throw core::InvalidInput(o.material.empty()
-                               ? fmt::format("{}: {} materials: {}; choose one with --material", o.deck, all.size(),
-                                             fmt::join(names, ", "))
-                               : fmt::format("--material {}: {} has {}", o.material, o.deck, fmt::join(names, ", ")));
+  throw core::InvalidInput(
+      o.material.empty()
+          ? fmt::format("{}: {} materials: {}; choose one with --material", o.deck, all.size(),
+                        fmt::join(names, ", "))
+          : fmt::format("--material {}: {} has {}", o.material, o.deck, fmt::join(names, ", ")));
 }
 
 void convert(const Options& o) {
@@ -39,8 +40,8 @@ void convert(const Options& o) {
   if (o.units.empty()) throw core::InvalidInput(material::which_units(deck));
   const auto& units = material::deck_units(o.units);
   const auto converted = material::convert(deck, units, o.rho_r0);
-  std::string source = fmt::format("converted from {}, units {}", std::filesystem::path(o.deck).filename().string(),
-                                   units.words);
+  std::string source = fmt::format("converted from {}, units {}",
+                                   std::filesystem::path(o.deck).filename().string(), units.words);
   if (!converted.left_over.empty())
     source += fmt::format("; without counterpart: {}", fmt::join(converted.left_over, "; "));
   const std::string text =
@@ -62,13 +63,16 @@ void add_convert(Command program) {
   auto o = std::make_shared<Options>();
   command.add_option("DECK.inp", o->deck, "input file with a *MATERIAL").required();
   command.add_option("-o", o->card, "write the material card here").type_name("MATERIAL.toml");
-  command.add_option("--units", o->units, "si, mm-tonne-MPa, mm-kg-GPa, m-tonne-kPa or in-lbf-psi").type_name("SYSTEM");
+  command.add_option("--units", o->units, "si, mm-tonne-MPa, mm-kg-GPa, m-tonne-kPa or in-lbf-psi")
+      .type_name("SYSTEM");
   command.add_option("--material", o->material, "which one, where there are several").type_name("NAME");
-  command.add_option("--rho_r0", o->rho_r0, "*CAP PLASTICITY: relative density at volumetric plastic strain 0")
+  command
+      .add_option("--rho_r0", o->rho_r0, "*CAP PLASTICITY: relative density at volumetric plastic strain 0")
       .type_name("NUMBER");
-  command.footer("Reads *ELASTIC, *DENSITY, *PLASTIC, *DRUCKER PRAGER, *CAP PLASTICITY and *MOHR COULOMB with their\n"
-                 "hardening; lists whatever else the material says.\n"
-                 "Example: platen convert tablet.inp --units mm-tonne-MPa -o tablet.toml");
+  command.footer(
+      "Reads *ELASTIC, *DENSITY, *PLASTIC, *DRUCKER PRAGER, *CAP PLASTICITY and *MOHR COULOMB with their\n"
+      "hardening; lists whatever else the material says.\n"
+      "Example: platen convert tablet.inp --units mm-tonne-MPa -o tablet.toml");
   command.callback([o] { convert(*o); });
 }
 

@@ -93,7 +93,8 @@ fit::Claim claim_of_fit(const press::Curve& curve, const FittedLaw& law, const O
   fit::Claim claim = claim_of(curve, o.curve);
   const auto& f = law.loading;
   claim.R2 = f.r_squared;
-  constexpr double least_a = 1.1e-3, most_a = 49.9; // the search's own ends, docs/explanation/edmans-sinka-fit.md
+  constexpr double least_a = 1.1e-3,
+                   most_a = 49.9; // the search's own ends, docs/explanation/edmans-sinka-fit.md
   if (f.a < least_a || f.a > most_a) claim.on_bound.push_back("a");
   // Perfectly plastic: F = 2 pi R delta 2.8 sigma_y, so k sigma_ref = 5.6 sigma_y.
   claim.strength_Pa = f.k * curve.sigma_ref_Pa / 5.6;
@@ -115,7 +116,8 @@ void fit_curve(const Options& o) {
                     o.law == "agarwal" ? "yield stress" : "kappa", o.law));
   complete(curve, o);
   if (measured && large_deformation) refuse_without_radius(curve, o.law, o.curve);
-  if (measured) flags = pass(doubts_about(claim_of(curve, o.curve)), o.measured.despite_doubts()); // E is known now
+  if (measured)
+    flags = pass(doubts_about(claim_of(curve, o.curve)), o.measured.despite_doubts()); // E is known now
   if (o.law == "wang") return fit_wang_to(curve, o);
   if (large_deformation) return fit_large_deformation_to(curve, o);
   if (!o.card.empty() && !(curve.E_Pa > 0))
@@ -141,7 +143,9 @@ void fit_curve(const Options& o) {
 void add_fit(Command program) {
   auto command = program.add_subcommand("fit", "fit a contact law to a curve, pressed or measured");
   auto o = std::make_shared<Options>();
-  command.add_option("CURVE.csv", o->curve, "curve.csv of a press, columns delta_m,force_N, or an instrument's file")
+  command
+      .add_option("CURVE.csv", o->curve,
+                  "curve.csv of a press, columns delta_m,force_N, or an instrument's file")
       .required();
   command.add_option("--law", o->law, "law to fit: edmans-sinka, wang, agarwal, shahin")
       .required()

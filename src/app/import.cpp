@@ -25,12 +25,13 @@ std::string words_of(const measure::Measurement& m, const std::vector<measure::S
     const auto& s = m.specimens[k];
     const auto& st = stages[k];
     text += fmt::format("{}: {}, {} rows from line {} on; {}\n", s.name,
-                        s.diameter_m ? fmt::format("d = {:.4g} mm", *s.diameter_m * 1e3) : "diameter not in the file",
+                        s.diameter_m ? fmt::format("d = {:.4g} mm", *s.diameter_m * 1e3)
+                                     : "diameter not in the file",
                         s.force_N.size(), s.first_line, st.words());
     text += fmt::format("  force begins at {} +- {:.2g}{}\n", s.on_scale_of_file(st.contact_travel_m),
                         st.contact_uncertainty_m / s.travel_unit.in_SI,
-                        st.baseline_rows > 0 ? fmt::format(", load cell zero {:.3g} N of {} rows", st.baseline_N,
-                                                           st.baseline_rows)
+                        st.baseline_rows > 0 ? fmt::format(", load cell zero {:.3g} N of {} rows",
+                                                           st.baseline_N, st.baseline_rows)
                                              : "; no row before contact shows the zero of the load cell");
     if (st.broke)
       text += fmt::format("  broken: line {}, the force fell by {:.0f} % while the platens closed\n",
@@ -58,12 +59,9 @@ std::string json_of(const measure::Measurement& m, const std::vector<measure::St
     if (s.diameter_m) p["diameter_m"] = *s.diameter_m;
     particles.push_back(std::move(p));
   }
-  const nlohmann::ordered_json json = {{"file", m.file},
-                                       {"sha256", m.sha256},
-                                       {"read_as", m.read_as},
-                                       {"found", m.said},
-                                       {"machine", machine.said},
-                                       {"particles", particles}};
+  const nlohmann::ordered_json json = {{"file", m.file},          {"sha256", m.sha256},
+                                       {"read_as", m.read_as},    {"found", m.said},
+                                       {"machine", machine.said}, {"particles", particles}};
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
@@ -81,7 +79,8 @@ void import(const Options& o) {
 void add_import(Command program) {
   auto command = program.add_subcommand("import", "read a file of an instrument, and say what is in it");
   auto o = std::make_shared<Options>();
-  command.add_option("RAW", o->raw, "file of a testing machine: text in columns, as it was exported").required();
+  command.add_option("RAW", o->raw, "file of a testing machine: text in columns, as it was exported")
+      .required();
   command.add_option("-o", o->output, "write particle, diameter_m, time_s, travel_m, force_N, branch here")
       .type_name("CURVE.csv");
   add_measured_arguments(command, o->measured, false);

@@ -13,9 +13,10 @@ using core::InvalidInput;
 
 void add_measured_arguments(Command command, MeasuredArguments& a, bool doubting) {
   const std::string what = "column of the force, where the file's words do not tell it";
-  a.force_option =
-      command.add_option("--force", a.read.force, doubting ? what + "; alone: write the card despite doubts" : what)
-          .type_name("COLUMN[:UNIT]");
+  a.force_option = command
+                       .add_option("--force", a.read.force,
+                                   doubting ? what + "; alone: write the card despite doubts" : what)
+                       .type_name("COLUMN[:UNIT]");
   if (doubting) a.force_option->value_optional();
   command.add_option("--displacement", a.read.displacement, "column of the displacement, likewise")
       .type_name("COLUMN[:UNIT]");
@@ -23,9 +24,12 @@ void add_measured_arguments(Command command, MeasuredArguments& a, bool doubting
       .add_option("--displacement-is", a.read.displacement_is,
                   "travel: between the platens, 2 delta (default); contact: of one platen, delta")
       .type_name("WAY");
-  auto radius = command.add_option("--radius_m", a.radius_m, "radius of the particle, where the file says none")
-                    .type_name("NUMBER");
-  command.add_option("--diameter_m", a.diameter_m, "its diameter instead").type_name("NUMBER").excludes(radius);
+  auto radius =
+      command.add_option("--radius_m", a.radius_m, "radius of the particle, where the file says none")
+          .type_name("NUMBER");
+  command.add_option("--diameter_m", a.diameter_m, "its diameter instead")
+      .type_name("NUMBER")
+      .excludes(radius);
   auto compliance =
       command.add_option("--compliance_m_per_N", a.compliance_m_per_N, "how much the machine gives way")
           .type_name("NUMBER");
@@ -53,7 +57,8 @@ measure::Machine machine_of(const MeasuredArguments& a) {
   if (a.compliance_m_per_N) {
     const double c = *a.compliance_m_per_N;
     if (!(c >= 0) || !std::isfinite(c))
-      throw InvalidInput(fmt::format("--compliance_m_per_N {}: it must be a number >= 0", core::number_text(c)));
+      throw InvalidInput(
+          fmt::format("--compliance_m_per_N {}: it must be a number >= 0", core::number_text(c)));
     return {c, {}, {}, fmt::format("compliance given, {:.4g} um/N", c * 1e6)};
   }
   if (a.empty_machine.empty()) return {};

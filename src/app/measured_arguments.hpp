@@ -21,13 +21,15 @@ struct MeasuredArguments {
   bool despite_doubts() const { return force_option && force_option->given() && read.force.empty(); }
 };
 
-/// --force with or without a column, --displacement, --displacement-is, --radius_m, --diameter_m, --compliance_m_per_N,
+/// --force with or without a column, --displacement, --displacement-is, --radius_m, --diameter_m,
+/// --compliance_m_per_N,
 /// --empty-machine
 /// `doubting`: the command has doubts, which --force alone overrules.
 void add_measured_arguments(Command, MeasuredArguments&, bool doubting);
 
 /// The files as they were written; InvalidInput for what they, or the options, do not say.
-std::vector<measure::Measurement> measurements_of(const std::vector<std::string>& files, const MeasuredArguments&);
+std::vector<measure::Measurement> measurements_of(const std::vector<std::string>& files,
+                                                  const MeasuredArguments&);
 measure::Machine machine_of(const MeasuredArguments&);
 
 } // namespace platen::app

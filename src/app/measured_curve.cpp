@@ -36,7 +36,8 @@ void add_points(press::Curve& curve, const measure::Specimen& s, const measure::
   constexpr double points = 400; // of loading; more say nothing that their means do not
   std::vector<double> delta;
   for (std::size_t i = 0; i < s.travel_m.size(); ++i)
-    delta.push_back(s.per_travel() * (s.travel_m[i] - machine.travel(s.force_N[i] - stages.baseline_N) - stages.contact_travel_m));
+    delta.push_back(s.per_travel() * (s.travel_m[i] - machine.travel(s.force_N[i] - stages.baseline_N) -
+                                      stages.contact_travel_m));
   const double step = *std::ranges::max_element(delta) / points;
   double largest = 0;
   int branch = 0;
@@ -44,9 +45,11 @@ void add_points(press::Curve& curve, const measure::Specimen& s, const measure::
     const Stage stage = stages.of_row[i];
     std::size_t end = i;
     double sum = 0, force = 0;
-    while (end < delta.size() && stages.of_row[end] == stage && (end == i || std::abs(delta[end] - delta[i]) < step))
+    while (end < delta.size() && stages.of_row[end] == stage &&
+           (end == i || std::abs(delta[end] - delta[i]) < step))
       sum += delta[end], force += s.force_N[end] - stages.baseline_N, ++end;
-    if (i > 0 && stages.of_row[i - 1] != stage && (stage == Stage::unloading || stage == Stage::reloading)) ++branch;
+    if (i > 0 && stages.of_row[i - 1] != stage && (stage == Stage::unloading || stage == Stage::reloading))
+      ++branch;
     press::CurvePoint point;
     point.delta_m = sum / static_cast<double>(end - i);
     point.force_N = force / static_cast<double>(end - i);
@@ -56,7 +59,8 @@ void add_points(press::Curve& curve, const measure::Specimen& s, const measure::
                                                : press::Branch::loading;
     point.branch_id = point.branch == press::Branch::loading ? 0 : branch;
     i = end;
-    if (stage == Stage::approach || stage == Stage::hold || stage == Stage::broken || point.delta_m <= 0) continue;
+    if (stage == Stage::approach || stage == Stage::hold || stage == Stage::broken || point.delta_m <= 0)
+      continue;
     if (point.branch == press::Branch::loading && point.delta_m <= largest) continue;
     if (point.branch == press::Branch::loading) largest = point.delta_m;
     curve.points.push_back(point);
@@ -80,26 +84,30 @@ InputCurve curve_of(const std::string& file, const MeasuredArguments& a) {
                                    m.specimens.size()));
   const auto& s = m.specimens.front();
   if (!s.diameter_m)
-    throw InvalidInput(fmt::format("{}: the file does not say the diameter of the particle; give --radius_m", file));
+    throw InvalidInput(
+        fmt::format("{}: the file does not say the diameter of the particle; give --radius_m", file));
   const auto stages = measure::stages_of(s);
   if (stages.broke && !a.despite_doubts())
-    throw InvalidInput(fmt::format("{}, line {}: the particle broke, the force fell by {:.0f} % while the platens "
-                                   "closed; --force fits what was before",
-                                   file, s.line[stages.broke->row], 100 * stages.broke->fell));
+    throw InvalidInput(
+        fmt::format("{}, line {}: the particle broke, the force fell by {:.0f} % while the platens "
+                    "closed; --force fits what was before",
+                    file, s.line[stages.broke->row], 100 * stages.broke->fell));
   const auto machine = machine_of(a);
   input.measured = true;
   input.curve.radius_m = s.radius_m();
   add_points(input.curve, s, stages, machine);
   std::string found = m.read_as;
   for (const auto& sentence : m.said) found += "; " + sentence;
-  input.provenance = {
-      {"source", file},
-      {"found", found},
-      {"contact_fitted", fmt::format("{} +- {:.2g}, by the foot of the curve", s.on_scale_of_file(stages.contact_travel_m),
-                                     stages.contact_uncertainty_m / s.travel_unit.in_SI)},
-      {"machine", machine.given() ? machine.said : "no compliance of the machine taken off: where it gives way the "
-                                                   "particle seems softer"},
-      {"rows", static_cast<int>(s.force_N.size())}};
+  input.provenance = {{"source", file},
+                      {"found", found},
+                      {"contact_fitted", fmt::format("{} +- {:.2g}, by the foot of the curve",
+                                                     s.on_scale_of_file(stages.contact_travel_m),
+                                                     stages.contact_uncertainty_m / s.travel_unit.in_SI)},
+                      {"machine", machine.given()
+                                      ? machine.said
+                                      : "no compliance of the machine taken off: where it gives way the "
+                                        "particle seems softer"},
+                      {"rows", static_cast<int>(s.force_N.size())}};
   return input;
 }
 
@@ -117,11 +125,13 @@ fit::Claim claim_of(const press::Curve& curve, const std::string& file) {
 }
 
 void refuse_without_radius(const press::Curve& curve, const std::string& law, const std::string& file) {
-  const bool none = std::ranges::all_of(curve.points, [](const auto& p) { return !(p.contact_radius_m > 0); });
+  const bool none =
+      std::ranges::all_of(curve.points, [](const auto& p) { return !(p.contact_radius_m > 0); });
   if (none)
-    throw InvalidInput(fmt::format("{}: {} is fitted to force and contact radius, and there is no radius in this "
-                                   "curve; platen calibrate --law {} fits it to the force alone",
-                                   file, law, law));
+    throw InvalidInput(
+        fmt::format("{}: {} is fitted to force and contact radius, and there is no radius in this "
+                    "curve; platen calibrate --law {} fits it to the force alone",
+                    file, law, law));
 }
 
 } // namespace platen::app

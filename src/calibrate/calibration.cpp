@@ -32,8 +32,10 @@ const law::Parameter* parameter(const law::LawInfo& info, std::string_view key) 
 void refuse_missing(const FreeLaw& law, const Settings& settings) {
   const auto& info = law::find_law(settings.law);
   for (const auto& p : info.parameters) {
-    const bool looked_for = std::ranges::any_of(law.parameters, [&](const auto& f) { return f.key == p.key; });
-    if (!std::isnan(p.fallback) || looked_for || p.key == "radius_m" || settings.given.contains(std::string(p.key)))
+    const bool looked_for =
+        std::ranges::any_of(law.parameters, [&](const auto& f) { return f.key == p.key; });
+    if (!std::isnan(p.fallback) || looked_for || p.key == "radius_m" ||
+        settings.given.contains(std::string(p.key)))
       continue;
     const bool option = p.key == "nu" || p.key == "E_Pa";
     throw InvalidInput(fmt::format("{} needs {}, {}, which a force curve does not show; give it with {}{}{}",
@@ -103,15 +105,17 @@ class Calibrator {
       for (const auto& s : m.specimens) {
         ++all;
         if (!s.diameter_m)
-          throw InvalidInput(fmt::format("{}, line {}: the file does not say the diameter of {}; give --radius_m",
-                                         s.file, s.first_line, s.name));
+          throw InvalidInput(
+              fmt::format("{}, line {}: the file does not say the diameter of {}; give --radius_m", s.file,
+                          s.first_line, s.name));
         Particle p;
         p.stages = measure::stages_of(s);
         if (p.stages.broke) {
           const auto row = p.stages.broke->row;
-          c_.broken.push_back(fmt::format("{} broke: line {}, the force fell by {:.0f} % while the platens closed; "
-                                          "kept out",
-                                          s.name, s.line[row], 100 * p.stages.broke->fell));
+          c_.broken.push_back(
+              fmt::format("{} broke: line {}, the force fell by {:.0f} % while the platens closed; "
+                          "kept out",
+                          s.name, s.line[row], 100 * p.stages.broke->fell));
           continue;
         }
         p.file = s.file, p.name = s.name, p.diameter_m = *s.diameter_m;
@@ -135,12 +139,13 @@ class Calibrator {
     if (std::ranges::any_of(c_.particles, [](const auto& p) { return p.samples.unloads; })) return;
     for (const auto& free : task_.free)
       if (free.of_unloading)
-        throw InvalidInput(fmt::format("{} is seen in unloading alone, and nothing unloads here; give it with {}{}",
-                                       free.key, free.key == "E_Pa" ? "--E_Pa NUMBER" : "-p ",
-                                       free.key == "E_Pa" ? "" : free.key + "=NUMBER"));
+        throw InvalidInput(fmt::format(
+            "{} is seen in unloading alone, and nothing unloads here; give it with {}{}", free.key,
+            free.key == "E_Pa" ? "--E_Pa NUMBER" : "-p ", free.key == "E_Pa" ? "" : free.key + "=NUMBER"));
   }
 
-  /// One particle that cannot be fitted alone, as one of a batch that did not unload, does not stop the others.
+  /// One particle that cannot be fitted alone, as one of a batch that did not unload, does not stop the
+  /// others.
   void fit_each() {
     std::vector<double> start; // where the first ended
     for (auto& p : c_.particles) {
@@ -208,7 +213,8 @@ class Calibrator {
       claim.nu = known("nu");
       if (settings_.law == "eepa") claim.E_Pa.reset(); // a stiffness by that name
       if (&p == &first) {
-        if (!law_.strength.empty() && law_.strength != "sigma_ref_Pa") claim.strength_Pa = known(law_.strength);
+        if (!law_.strength.empty() && law_.strength != "sigma_ref_Pa")
+          claim.strength_Pa = known(law_.strength);
         for (std::size_t k = 0; k < task_.free.size(); ++k)
           if (all.on_bound[k]) claim.on_bound.push_back(task_.free[k].key);
       }
@@ -223,11 +229,14 @@ class Calibrator {
     for (std::size_t k = 0; k < task_.free.size(); ++k) {
       double low = std::numeric_limits<double>::infinity(), high = -low, error = 0;
       for (const auto& p : c_.particles)
-        if (k < p.values.size()) low = std::min(low, p.values[k]), high = std::max(high, p.values[k]), error = std::max(error, p.errors[k]);
+        if (k < p.values.size())
+          low = std::min(low, p.values[k]), high = std::max(high, p.values[k]),
+          error = std::max(error, p.errors[k]);
       if (high - low > 8 * error && high - low > 0.1 * std::abs(c_.values[k]))
-        c_.said.push_back(fmt::format("the particles differ by more than their noise: {} from {:.4g} to {:.4g}; is each "
-                                      "diameter right?",
-                                      task_.free[k].key, low, high));
+        c_.said.push_back(
+            fmt::format("the particles differ by more than their noise: {} from {:.4g} to {:.4g}; is each "
+                        "diameter right?",
+                        task_.free[k].key, low, high));
     }
   }
 
@@ -235,9 +244,10 @@ class Calibrator {
     for (std::size_t i = 0; i < task_.free.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j)
         if (std::abs(c_.correlations[i][j]) > alike && (vague(i) || vague(j)))
-          c_.said.push_back(fmt::format("these curves cannot tell {} and {} apart (correlation {:.3f}): give one of "
-                                        "them, or measure what parts them, as an unloading",
-                                        task_.free[j].key, task_.free[i].key, c_.correlations[i][j]));
+          c_.said.push_back(
+              fmt::format("these curves cannot tell {} and {} apart (correlation {:.3f}): give one of "
+                          "them, or measure what parts them, as an unloading",
+                          task_.free[j].key, task_.free[i].key, c_.correlations[i][j]));
       if (!(c_.errors[i] < 0.3 * std::abs(c_.values[i])) && task_.free[i].logarithmic)
         c_.said.push_back(fmt::format("these curves hardly determine {}: {:.3g} +- {:.2g}", task_.free[i].key,
                                       c_.values[i], c_.errors[i]));
@@ -246,8 +256,11 @@ class Calibrator {
 
   void write_card() {
     auto& card = c_.card = task_.card;
-    const auto rounded = [](double v) { return core::number_text(*core::number_from(fmt::format("{:.6g}", v))); };
-    for (std::size_t k = 0; k < task_.free.size(); ++k) card.parameters[task_.free[k].key] = rounded(c_.values[k]);
+    const auto rounded = [](double v) {
+      return core::number_text(*core::number_from(fmt::format("{:.6g}", v)));
+    };
+    for (std::size_t k = 0; k < task_.free.size(); ++k)
+      card.parameters[task_.free[k].key] = rounded(c_.values[k]);
     card.delta_bar = {0.0, c_.delta_bar_max};
     const auto number = [](double v) { return *core::number_from(fmt::format("{:.4g}", v)); };
     card.errors.emplace_back("relative_l2", number(c_.relative_l2));
@@ -279,8 +292,8 @@ class Calibrator {
       if (p.baseline_fitted) baselines.push_back(fmt::format("{}{:.3g} N", name, p.baseline_N));
     }
     from.emplace_back("contact_fitted", fmt::format("{}", fmt::join(contacts, ", ")));
-    from.emplace_back("baseline_fitted",
-                      baselines.empty() ? std::string("none: no row before contact") : fmt::format("{}", fmt::join(baselines, ", ")));
+    from.emplace_back("baseline_fitted", baselines.empty() ? std::string("none: no row before contact")
+                                                           : fmt::format("{}", fmt::join(baselines, ", ")));
     from.emplace_back("machine", machine_words());
     if (!c_.said.empty()) from.emplace_back("remarks", fmt::format("{}", fmt::join(c_.said, "; ")));
     from.emplace_back("engine", core::engine);
@@ -313,19 +326,21 @@ Calibration calibrate(const std::vector<Measurement>& measurements, const Settin
 }
 
 std::string words_of(const Calibration& c) {
-  std::string text = fmt::format("law {}, fitted to {} {} of {}, {} rows, up to delta/R = {:.3g}\n", c.card.law,
-                                 c.particles.size(), c.particles.size() == 1 ? "particle" : "particles",
-                                 c.particles.size() + c.broken.size(), c.rows, c.delta_bar_max);
+  std::string text =
+      fmt::format("law {}, fitted to {} {} of {}, {} rows, up to delta/R = {:.3g}\n", c.card.law,
+                  c.particles.size(), c.particles.size() == 1 ? "particle" : "particles",
+                  c.particles.size() + c.broken.size(), c.rows, c.delta_bar_max);
   for (std::size_t k = 0; k < c.free.size(); ++k)
     text += fmt::format("  {:<12} {}\n", c.free[k].key, text_value(c.values[k], c.errors[k]));
   for (std::size_t i = 0; i < c.free.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      text += fmt::format("  correlation of {} and {}: {:.3f}\n", c.free[j].key, c.free[i].key, c.correlations[i][j]);
+      text += fmt::format("  correlation of {} and {}: {:.3f}\n", c.free[j].key, c.free[i].key,
+                          c.correlations[i][j]);
   text += fmt::format("  R2 = {:.6f}, relative L2 {:.2f} %\n", c.R2, 100 * c.relative_l2);
   text += "particles\n";
   for (const auto& p : c.particles) {
-    text += fmt::format("  {}: d = {:.4g} mm, {} rows ({}), contact at {}, R2 = {:.6f}", p.name, p.diameter_m * 1e3,
-                        p.rows, p.stages.words(), p.contact, p.R2);
+    text += fmt::format("  {}: d = {:.4g} mm, {} rows ({}), contact at {}, R2 = {:.6f}", p.name,
+                        p.diameter_m * 1e3, p.rows, p.stages.words(), p.contact, p.R2);
     if (p.baseline_fitted) text += fmt::format(", load cell zero {:.3g} N", p.baseline_N);
     if (c.particles.size() > 1)
       for (std::size_t k = 0; k < p.values.size(); ++k)

@@ -48,8 +48,8 @@ struct Calibration {
 };
 
 /// Parameters of the law and contact points together, each particle alone and all together. Broken particles
-/// are kept out. InvalidInput where a diameter or a parameter is missing that the curves cannot show, where no
-/// whole particle is left; the doubts are not judged here.
+/// are kept out. InvalidInput where a diameter or a parameter is missing that the curves cannot show, where
+/// no whole particle is left; the doubts are not judged here.
 Calibration calibrate(const std::vector<measure::Measurement>&, const Settings&);
 
 /// A few lines for people.

@@ -23,7 +23,7 @@ struct FreeLaw {
   std::vector<FreeParameter> parameters;
   std::string_view strength; ///< the key of its strength; empty: it has none
   bool has_unloading = true; ///< its unloading follows from these parameters
-  bool scales = true; ///< F = R^2 f(delta/R): one law serves particles of all sizes
+  bool scales = true;        ///< F = R^2 f(delta/R): one law serves particles of all sizes
 };
 
 /// InvalidInput, with those that can be, for a law that cannot be calibrated.

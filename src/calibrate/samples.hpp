@@ -16,7 +16,7 @@ struct Samples {
   double force_max_N = 0;
   double contact_guess_m = 0; ///< travel
   double travel_noise_m = 0, force_noise_N = 0;
-  std::vector<double> travel_m;   ///< the machine's part taken off
+  std::vector<double> travel_m; ///< the machine's part taken off
   std::vector<double> force_N;
   std::vector<double> compliance; ///< of the machine at this force [m/N]
   std::vector<measure::Stage> stage;
@@ -33,9 +33,9 @@ struct Samples {
 Samples samples_of(const measure::Specimen&, const measure::Stages&, const measure::Machine&,
                    bool with_unloading);
 
-/// The force of the law at each row, and its stiffness where asked for. The law is made against a plane, for a
-/// particle of radius `made_for`; it gives F = R^2 f(delta/R). Below the largest overlap it unloads from the
-/// row where the platens turned.
+/// The force of the law at each row, and its stiffness where asked for. The law is made against a plane, for
+/// a particle of radius `made_for`; it gives F = R^2 f(delta/R). Below the largest overlap it unloads from
+/// the row where the platens turned.
 template <class Law>
 void predict(const Law& law, double made_for, const Samples& s, double contact_m, std::vector<double>& force,
              std::vector<double>* stiffness = nullptr) {

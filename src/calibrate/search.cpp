@@ -175,7 +175,8 @@ class Problem {
     problem_.Evaluate(options, nullptr, nullptr, nullptr, &sparse);
     Eigen::MatrixXd J = Eigen::MatrixXd::Zero(sparse.num_rows, sparse.num_cols);
     for (int row = 0; row < sparse.num_rows; ++row)
-      for (int k = sparse.rows[static_cast<std::size_t>(row)]; k < sparse.rows[static_cast<std::size_t>(row) + 1]; ++k)
+      for (int k = sparse.rows[static_cast<std::size_t>(row)];
+           k < sparse.rows[static_cast<std::size_t>(row) + 1]; ++k)
         J(row, sparse.cols[static_cast<std::size_t>(k)]) = sparse.values[static_cast<std::size_t>(k)];
     return J;
   }
@@ -207,7 +208,8 @@ std::vector<Numbers> starts(Workshop& workshop, const Samples& s) {
   for (std::size_t g = 0; g < grid.size(); ++g) {
     if (!workshop.predicted(s, grid[g].data(), s.contact_guess_m, force)) continue;
     double sum = 0;
-    for (std::size_t i = 0; i < force.size(); ++i) sum += std::pow((s.force_N[i] - force[i]) / s.sigma_N[i], 2);
+    for (std::size_t i = 0; i < force.size(); ++i)
+      sum += std::pow((s.force_N[i] - force[i]) / s.sigma_N[i], 2);
     order.emplace_back(sum, g);
   }
   std::ranges::sort(order);
@@ -216,8 +218,8 @@ std::vector<Numbers> starts(Workshop& workshop, const Samples& s) {
   for (const auto& [sum, g] : order)
     if (best.size() < tried) best.push_back(grid[g]);
   if (best.empty())
-    throw core::InvalidInput(
-        "the law has no material near these readings; are force, displacement and radius in the right units?");
+    throw core::InvalidInput("the law has no material near these readings; are force, displacement and "
+                             "radius in the right units?");
   return best;
 }
 
@@ -241,7 +243,8 @@ void level(Workshop& workshop, std::vector<Samples>& samples, const State& state
   for (std::size_t p = 0; p < samples.size(); ++p) {
     auto& s = samples[p];
     Numbers force;
-    if (!workshop.predicted(s, state.theta.data(), s.contact_guess_m + state.contact[p] * s.radius_m, force)) continue;
+    if (!workshop.predicted(s, state.theta.data(), s.contact_guess_m + state.contact[p] * s.radius_m, force))
+      continue;
     double sum = 0;
     for (std::size_t i = 0; i < force.size(); ++i)
       sum += std::pow((s.force_N[i] - state.baseline[p] * s.force_max_N - force[i]) / s.sigma_N[i], 2);
@@ -268,13 +271,15 @@ Solution search(const Task& task, std::vector<Samples> samples, const Numbers& g
     State found = Problem(workshop, samples, std::move(begun)).solve();
     if (found.cost < state.cost) state = std::move(found);
   }
-  if (state.theta.empty()) throw core::ConvergenceError("the law could not be fitted to these rows", 0, 100, 1);
+  if (state.theta.empty())
+    throw core::ConvergenceError("the law could not be fitted to these rows", 0, 100, 1);
   for (int again = 0; again < 2; ++again) {
     weigh(workshop, samples, state);
     if (n > 1) level(workshop, samples, state);
     state = Problem(workshop, samples, state).solve();
   }
-  if (!std::isfinite(state.cost)) throw core::ConvergenceError("the law could not be fitted to these rows", 0, 100, 1);
+  if (!std::isfinite(state.cost))
+    throw core::ConvergenceError("the law could not be fitted to these rows", 0, 100, 1);
 
   Solution solution;
   solution.converged = state.converged;
@@ -288,7 +293,8 @@ Solution search(const Task& task, std::vector<Samples> samples, const Numbers& g
   for (Eigen::Index k = 0; k < J.cols(); ++k)
     scaled.col(k) /= length[k] > 1e-9 * longest ? length[k] : std::numeric_limits<double>::infinity();
   const Eigen::MatrixXd covariance =
-      (scaled.transpose() * scaled).completeOrthogonalDecomposition().pseudoInverse() * solution.reduced_chi_squared;
+      (scaled.transpose() * scaled).completeOrthogonalDecomposition().pseudoInverse() *
+      solution.reduced_chi_squared;
   const auto sd = [&](Eigen::Index k) {
     return length[k] > 1e-9 * longest ? std::sqrt(std::max(0.0, covariance(k, k))) / length[k]
                                       : std::numeric_limits<double>::infinity();
@@ -298,7 +304,8 @@ Solution search(const Task& task, std::vector<Samples> samples, const Numbers& g
     const double theta = state.theta[k];
     solution.values.push_back(c.outside(k, theta));
     solution.errors.push_back(sd(column) * c.slope(k, theta));
-    const double low = c.inside(k, task.free[k].low * c.unit(k)), high = c.inside(k, task.free[k].high * c.unit(k));
+    const double low = c.inside(k, task.free[k].low * c.unit(k)),
+                 high = c.inside(k, task.free[k].high * c.unit(k));
     const double near = on_bound_share * (high - low);
     solution.on_bound.push_back(theta < low + near || theta > high - near);
     solution.without_effect.push_back(!(length[column] > 1e-9 * longest));

@@ -77,9 +77,10 @@ Table read_toml(const std::filesystem::path& path) {
     throw InvalidInput(fmt::format("{}: there is no such file", path.string()));
   const std::string text = read_file(path);
   if (const auto first = text.find_first_not_of(" \t\r\n"); first != text.npos && text[first] == '*')
-    throw InvalidInput(fmt::format("{}: this looks like an input file of Abaqus or CalculiX; make a card of it with "
-                                   "platen convert {} --units SYSTEM -o MATERIAL.toml",
-                                   path.string(), path.filename().string()));
+    throw InvalidInput(
+        fmt::format("{}: this looks like an input file of Abaqus or CalculiX; make a card of it with "
+                    "platen convert {} --units SYSTEM -o MATERIAL.toml",
+                    path.string(), path.filename().string()));
   return parse_toml(text, path.string());
 }
 

@@ -51,7 +51,8 @@ Onset onset_below(double share, const Numbers& x, const Numbers& F, double force
   for (int level = 0; level < 6; ++level) {
     for (double x_0 = low; x_0 < high; x_0 += step)
       for (double p = 0.8; p < p_most + 0.05; p += 0.1)
-        if (const Foot foot = foot_at(fx, fF, x_0, p, with_baseline); foot.deviation < best.deviation) best = foot;
+        if (const Foot foot = foot_at(fx, fF, x_0, p, with_baseline); foot.deviation < best.deviation)
+          best = foot;
     low = best.x_0 - 2 * step, high = best.x_0 + 2 * step;
     step /= 8;
   }
@@ -71,7 +72,8 @@ Onset onset_below(double share, const Numbers& x, const Numbers& F, double force
 } // namespace
 
 Onset find_onset(const Numbers& x, const Numbers& F, double force_noise, double p_most) {
-  const Onset near = onset_below(0.15, x, F, force_noise, p_most), far = onset_below(0.35, x, F, force_noise, p_most);
+  const Onset near = onset_below(0.15, x, F, force_noise, p_most),
+              far = onset_below(0.35, x, F, force_noise, p_most);
   Onset best = near.uncertainty < 3 * far.uncertainty ? near : far;
   best.uncertainty += std::abs(near.x - far.x); // no power law holds far, elastic at first and plastic then
   return best;

@@ -51,7 +51,8 @@ Keyword keyword_of(std::string_view line, int number) {
     else if (equals == cell.npos) keyword.parameters.emplace_back(keyword_text(cell), "");
     else {
       auto value = trimmed(cell.substr(equals + 1));
-      if (value.size() > 1 && value.front() == '"' && value.back() == '"') value = value.substr(1, value.size() - 2);
+      if (value.size() > 1 && value.front() == '"' && value.back() == '"')
+        value = value.substr(1, value.size() - 2);
       keyword.parameters.emplace_back(keyword_text(cell.substr(0, equals)), value);
     }
   }
@@ -60,11 +61,36 @@ Keyword keyword_of(std::string_view line, int number) {
 
 /// Keywords that end a material: those of the model and its steps.
 bool is_of_material(std::string_view name) {
-  static constexpr std::array others = {
-      "STEP",    "PART",     "END PART", "INSTANCE", "ASSEMBLY", "NODE",       "ELEMENT",  "NSET",
-      "ELSET",   "SURFACE",  "BOUNDARY", "AMPLITUDE", "INITIAL CONDITIONS", "SOLID SECTION", "SURFACE INTERACTION",
-      "CONTACT PAIR", "CONTACT", "RIGID BODY", "HEADING", "PREPRINT", "RESTART", "INCLUDE", "PHYSICAL CONSTANTS",
-      "ORIENTATION", "TRANSFORM", "SHELL SECTION", "BEAM SECTION", "MPC", "EQUATION", "TIE"};
+  static constexpr std::array others = {"STEP",
+                                        "PART",
+                                        "END PART",
+                                        "INSTANCE",
+                                        "ASSEMBLY",
+                                        "NODE",
+                                        "ELEMENT",
+                                        "NSET",
+                                        "ELSET",
+                                        "SURFACE",
+                                        "BOUNDARY",
+                                        "AMPLITUDE",
+                                        "INITIAL CONDITIONS",
+                                        "SOLID SECTION",
+                                        "SURFACE INTERACTION",
+                                        "CONTACT PAIR",
+                                        "CONTACT",
+                                        "RIGID BODY",
+                                        "HEADING",
+                                        "PREPRINT",
+                                        "RESTART",
+                                        "INCLUDE",
+                                        "PHYSICAL CONSTANTS",
+                                        "ORIENTATION",
+                                        "TRANSFORM",
+                                        "SHELL SECTION",
+                                        "BEAM SECTION",
+                                        "MPC",
+                                        "EQUATION",
+                                        "TIE"};
   return std::ranges::find(others, name) == others.end();
 }
 
@@ -123,7 +149,8 @@ std::vector<DeckMaterial> read_deck(std::string_view text, const std::string& fi
       if (keyword.name == "MATERIAL") {
         materials.push_back({file, keyword.parameter("NAME"), {}});
         inside = true;
-      } else if (inside && is_of_material(keyword.name)) materials.back().keywords.push_back(std::move(keyword));
+      } else if (inside && is_of_material(keyword.name))
+        materials.back().keywords.push_back(std::move(keyword));
       else inside = false;
       continue;
     }
@@ -167,7 +194,8 @@ std::string which_units(const DeckMaterial& m) {
   for (const auto& units : deck_units()) {
     std::string reading(units.name);
     if (const auto E = first("ELASTIC")) reading += fmt::format(": E = {:.4g} Pa", *E * units.stress);
-    if (const auto rho = first("DENSITY")) reading += fmt::format(", density {:.4g} kg/m3", *rho * units.density);
+    if (const auto rho = first("DENSITY"))
+      reading += fmt::format(", density {:.4g} kg/m3", *rho * units.density);
     readings.push_back(std::move(reading));
   }
   return fmt::format("{}: an input file does not say its units; give them with --units: {}", m.file,

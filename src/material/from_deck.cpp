@@ -77,7 +77,8 @@ class Converter {
 
   const Keyword& keyword(const std::string& name) {
     const auto* found = deck_.find(name);
-    if (!found) throw InvalidInput(fmt::format("{}: the material {} has no *{}", deck_.file, deck_.name, name));
+    if (!found)
+      throw InvalidInput(fmt::format("{}: the material {} has no *{}", deck_.file, deck_.name, name));
     used_.insert(name);
     return *found;
   }
@@ -94,7 +95,8 @@ class Converter {
   }
   void one_row_only(const Keyword& k) {
     if (k.rows.size() > 1)
-      leave(k, fmt::format("{} more rows, over temperature or a field; the first is taken", k.rows.size() - 1));
+      leave(k,
+            fmt::format("{} more rows, over temperature or a field; the first is taken", k.rows.size() - 1));
   }
 
   void check_elastic_type(const Keyword& k) const {
@@ -113,9 +115,10 @@ class Converter {
   double angle(const Keyword& k, std::size_t column, const char* what) const {
     const double value = needed(k, 0, column, what);
     if (value > 0 && value < 1.6)
-      refuse(k, fmt::format("{} = {:.6g}: Abaqus has it in degrees; read as radians it would be {:.4g} degrees, as a "
-                            "tangent {:.4g}",
-                            what, value, value / degree, std::atan(value) / degree));
+      refuse(k, fmt::format(
+                    "{} = {:.6g}: Abaqus has it in degrees; read as radians it would be {:.4g} degrees, as a "
+                    "tangent {:.4g}",
+                    what, value, value / degree, std::atan(value) / degree));
     return value;
   }
 
@@ -141,7 +144,8 @@ class Converter {
     if (strain.empty()) refuse(k, "it has no rows");
     if (strain.front() != 0) refuse(k, "the first plastic strain must be 0, where yield begins");
     if (strain.size() > HardeningTable::size_max)
-      refuse(k, fmt::format("{} rows; a hardening table has {} at most", strain.size(), HardeningTable::size_max));
+      refuse(k, fmt::format("{} rows; a hardening table has {} at most", strain.size(),
+                            HardeningTable::size_max));
     VonMises m{E, nu, sigma.front()};
     if (strain.size() > 1) m.hardening = HardeningTable(strain, sigma);
     return m;
@@ -152,7 +156,8 @@ class Converter {
     const Keyword& k = keyword("DRUCKER PRAGER");
     const std::string criterion = k.parameter("SHEAR CRITERION");
     if (!criterion.empty() && criterion != "LINEAR" && criterion != "linear")
-      refuse(k, fmt::format("SHEAR CRITERION={} has no counterpart; the yield line is straight here", criterion));
+      refuse(k, fmt::format("SHEAR CRITERION={} has no counterpart; the yield line is straight here",
+                            criterion));
     one_row_only(k);
     const double beta = angle(k, 0, "beta"), K = or_zero(k, 0, 1) > 0 ? or_zero(k, 0, 1) : 1;
     if (K != 1) leave(k, fmt::format("K = {:.4g}: the section is a circle here, K = 1", K));
@@ -163,18 +168,21 @@ class Converter {
     for (char& c : type) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     const double sigma = stress(h, 0, 0, "yield stress");
     if (h.rows.size() > 1)
-      leave(h, fmt::format("{} more rows: the strength does not harden here; the first is taken", h.rows.size() - 1));
+      leave(h, fmt::format("{} more rows: the strength does not harden here; the first is taken",
+                           h.rows.size() - 1));
     // d of q + p tan(beta) = d, by the test that gives the hardening
     const double d = type == "TENSION" ? (1 / K + tan_deg(beta) / 3) * sigma
                      : type == "SHEAR" ? std::numbers::sqrt3 / 2 * (1 + 1 / K) * sigma
                                        : (1 - tan_deg(beta) / 3) * sigma;
     if (type != "COMPRESSION" && type != "TENSION" && type != "SHEAR")
       refuse(h, fmt::format("TYPE={} is none of COMPRESSION, TENSION, SHEAR", type));
-    out_.said.push_back(fmt::format("linear Drucker-Prager q + p tan(beta) = d in (p, q), p tension positive: d = {:.4g} "
-                                    "Pa, from TYPE={}",
-                                    d, type));
+    out_.said.push_back(
+        fmt::format("linear Drucker-Prager q + p tan(beta) = d in (p, q), p tension positive: d = {:.4g} "
+                    "Pa, from TYPE={}",
+                    d, type));
     const double sigma_c = d / (1 - tan_deg(beta) / 3);
-    if (!(sigma_c > 0)) refuse(k, fmt::format("beta = {:.4g}: it must be below atan 3 = 71.57 degrees", beta));
+    if (!(sigma_c > 0))
+      refuse(k, fmt::format("beta = {:.4g}: it must be below atan 3 = 71.57 degrees", beta));
     return {E, nu, beta, six_digits(sigma_c), psi};
   }
 
@@ -188,12 +196,14 @@ class Converter {
     const Keyword& h = keyword("MOHR COULOMB HARDENING");
     const double cohesion = six_digits(stress(h, 0, 0, "cohesion"));
     if (h.rows.size() > 1)
-      leave(h, fmt::format("{} more rows: the cohesion does not harden here; the first is taken", h.rows.size() - 1));
+      leave(h, fmt::format("{} more rows: the cohesion does not harden here; the first is taken",
+                           h.rows.size() - 1));
     const double apex = cohesion / tan_deg(phi);
     double cutoff = six_digits(0.999 * apex);
     if (deck_.find("TENSION CUTOFF")) {
       const Keyword& t = keyword("TENSION CUTOFF");
-      if (t.rows.size() > 1) leave(t, fmt::format("{} more rows: the cut-off does not soften here", t.rows.size() - 1));
+      if (t.rows.size() > 1)
+        leave(t, fmt::format("{} more rows: the cut-off does not soften here", t.rows.size() - 1));
       cutoff = six_digits(stress(t, 0, 0, "cut-off"));
     } else say("no *TENSION CUTOFF: the cut-off is put at 0.999 of the apex, where it cuts nothing");
     return {E, nu, phi, cohesion, psi, cutoff};
@@ -220,13 +230,16 @@ class Converter {
     const Numbers rho_c = densities(c, 6), rho_e = densities(e, 2);
     if (!rho_r0_ && !rho_c.empty()) {
       rho_r0_ = rho_c.front();
-      out_.said.push_back(fmt::format("the field variable is taken as relative density; volumetric plastic strain is 0 "
-                                      "at its first value, rho_r0 = {:.6g}",
-                                      *rho_r0_));
+      out_.said.push_back(
+          fmt::format("the field variable is taken as relative density; volumetric plastic strain is 0 "
+                      "at its first value, rho_r0 = {:.6g}",
+                      *rho_r0_));
     }
     if (!rho_r0_)
-      refuse(c, "which relative density belongs to volumetric plastic strain 0? Give it with --rho_r0 NUMBER");
-    if (!(*rho_r0_ > 0 && *rho_r0_ <= 1)) refuse(c, fmt::format("rho_r0 = {:.6g} must be in (0, 1]", *rho_r0_));
+      refuse(c,
+             "which relative density belongs to volumetric plastic strain 0? Give it with --rho_r0 NUMBER");
+    if (!(*rho_r0_ > 0 && *rho_r0_ <= 1))
+      refuse(c, fmt::format("rho_r0 = {:.6g} must be in (0, 1]", *rho_r0_));
     if (h.rows.empty()) refuse(h, "it has no rows");
     const double rho_0 = *rho_r0_;
     const auto change = [&](const Numbers& rho) {
@@ -254,11 +267,13 @@ class Converter {
     const Numbers x_c = rho_c.empty() ? Numbers(c.rows.size(), 0.0) : change(rho_c);
     const Numbers x_e = rho_e.empty() ? Numbers(e.rows.size(), 0.0) : change(rho_e);
     for (std::size_t row = 0; row < c.rows.size(); ++row) {
-      const double d = stress(c, row, 0, "cohesion d"), tan_b = tan_deg(row == 0 ? angle(c, 1, "beta") : needed(c, row, 1, "beta"));
+      const double d = stress(c, row, 0, "cohesion d"),
+                   tan_b = tan_deg(row == 0 ? angle(c, 1, "beta") : needed(c, row, 1, "beta"));
       const double R = needed(c, row, 2, "cap eccentricity R");
       const double p_b = std::exp(sigma_y.at_0 + sigma_y.slope * x_c[row]);
       const double p_a = (p_b - R * d) / (1 + R * tan_b);
-      if (!(d > 0 && tan_b > 0 && p_a > 0)) refuse(c, fmt::format("row {}: cohesion, beta and cap leave no cone", row + 1));
+      if (!(d > 0 && tan_b > 0 && p_a > 0))
+        refuse(c, fmt::format("row {}: cohesion, beta and cap leave no cone", row + 1));
       ln_Lambda.push_back(std::log(d / tan_b));
       ln_Gamma.push_back(std::log(d + p_a * tan_b));
       epsilon.push_back(R);
@@ -268,8 +283,9 @@ class Converter {
       leave(c, "its rows are not over relative density in (0, 1]: only their mean is taken");
     const Line E = regression(x_e, ln_E), poisson = regression(x_e, nu), Gamma = regression(x_c, ln_Gamma),
                Lambda = regression(x_c, ln_Lambda), shape = regression(x_c, epsilon);
-    for (const auto& [line, what] : {std::pair{sigma_y, "sigma_y"}, std::pair{E, "E"}, std::pair{Gamma, "Gamma"},
-                                     std::pair{Lambda, "Lambda"}, std::pair{poisson, "nu"}, std::pair{shape, "epsilon"}})
+    for (const auto& [line, what] :
+         {std::pair{sigma_y, "sigma_y"}, std::pair{E, "E"}, std::pair{Gamma, "Gamma"},
+          std::pair{Lambda, "Lambda"}, std::pair{poisson, "nu"}, std::pair{shape, "epsilon"}})
       out_.said.push_back(fmt::format("{} over relative density: R2 = {:.6f}", what, line.R2));
     Dpc m{};
     m.rho_r0 = six_digits(rho_0);
@@ -284,8 +300,10 @@ class Converter {
 
   void cap_left_over(const Keyword& c) {
     if (or_zero(c, 0, 3) != 0)
-      leave(c, fmt::format("initial volumetric plastic strain {:.4g}: rho_r0 is the density where it is 0", or_zero(c, 0, 3)));
-    leave(c, fmt::format("the transition alpha = {:.4g}: here an arc of A = {:.2g} joins line and cap", or_zero(c, 0, 4), Dpc::A));
+      leave(c, fmt::format("initial volumetric plastic strain {:.4g}: rho_r0 is the density where it is 0",
+                           or_zero(c, 0, 3)));
+    leave(c, fmt::format("the transition alpha = {:.4g}: here an arc of A = {:.2g} joins line and cap",
+                         or_zero(c, 0, 4), Dpc::A));
     const double K = or_zero(c, 0, 5);
     if (K > 0 && K != 1) leave(c, fmt::format("K = {:.4g}: the section is a circle here, K = 1", K));
   }

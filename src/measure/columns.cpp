@@ -103,15 +103,16 @@ struct Choice {
     auto found = by_words(quantity);
     if (found.empty()) found = by_unit(quantity);
     if (found.empty())
-      throw InvalidInput(fmt::format(
-          "{}: no column is known as a {}; there are {}; name it with {} COLUMN:UNIT", here(), word,
-          listed(all()), option));
+      throw InvalidInput(
+          fmt::format("{}: no column is known as a {}; there are {}; name it with {} COLUMN:UNIT", here(),
+                      word, listed(all()), option));
     if (found.size() > 1)
-      throw InvalidInput(fmt::format(
-          "{}: {} columns could be the {}: {}; name the one to take{} with {}", here(), found.size(), word,
-          listed(found),
-          quantity == Quantity::force ? "" : ", the way between the platens rather than that of the crosshead,",
-          option));
+      throw InvalidInput(fmt::format("{}: {} columns could be the {}: {}; name the one to take{} with {}",
+                                     here(), found.size(), word, listed(found),
+                                     quantity == Quantity::force
+                                         ? ""
+                                         : ", the way between the platens rather than that of the crosshead,",
+                                     option));
     const auto& unit = at(found.front()).heading.unit;
     return {found.front(), unit.empty() ? Unit{} : measured(found.front(), unit, quantity, option)};
   }
@@ -144,27 +145,31 @@ struct Choice {
     std::vector<std::string> without;
     if (d.unit.name.empty()) without.push_back(at(d.column).heading.text);
     if (f.unit.name.empty()) without.push_back(at(f.column).heading.text);
-    std::string text = fmt::format("{}: which unit {} {}? None stands in the file, and none is guessed; write",
-                                   here(), without.size() == 1 ? "has" : "have",
-                                   fmt::join(without, " and which has "));
+    std::string text =
+        fmt::format("{}: which unit {} {}? None stands in the file, and none is guessed; write", here(),
+                    without.size() == 1 ? "has" : "have", fmt::join(without, " and which has "));
     const auto propose = [&](const Chosen& c, std::string_view option, std::string_view unit) {
-      if (c.unit.name.empty()) text += fmt::format(" {} {}:{}", option, core::in_quotes(at(c.column).heading.text), unit);
+      if (c.unit.name.empty())
+        text += fmt::format(" {} {}:{}", option, core::in_quotes(at(c.column).heading.text), unit);
     };
     propose(f, "--force", "N");
     propose(d, "--displacement", "mm");
     const double travel = largest(d.column), force = largest(f.column);
-    const double length = d.unit.name.empty() ? 1e-3 : d.unit.in_SI, newton = f.unit.name.empty() ? 1 : f.unit.in_SI;
+    const double length = d.unit.name.empty() ? 1e-3 : d.unit.in_SI,
+                 newton = f.unit.name.empty() ? 1 : f.unit.in_SI;
     text += ", if that is what they are in";
     if (!options.diameter_m) {
-      text += fmt::format(": the platens would then move {:.3g} mm and press with {:.3g} N; with --radius_m it "
-                          "can be said which units make sense",
-                          travel * length * 1e3, force * newton);
+      text +=
+          fmt::format(": the platens would then move {:.3g} mm and press with {:.3g} N; with --radius_m it "
+                      "can be said which units make sense",
+                      travel * length * 1e3, force * newton);
     } else {
       const double R = *options.diameter_m / 2, half = options.displacement_is == "contact" ? 1 : 0.5;
       std::vector<std::string> readings;
       if (d.unit.name.empty())
         for (const auto& [name, in_SI] : {std::pair{"mm", 1e-3}, std::pair{"um", 1e-6}, std::pair{"m", 1.0}})
-          readings.push_back(fmt::format("taken as {}, delta/R would end at {:.3g}", name, half * travel * in_SI / R));
+          readings.push_back(
+              fmt::format("taken as {}, delta/R would end at {:.3g}", name, half * travel * in_SI / R));
       if (f.unit.name.empty())
         readings.push_back(fmt::format("force taken as N, the mid-section would carry {:.3g} MPa",
                                        force / (std::numbers::pi * R * R) / 1e6));

@@ -78,8 +78,8 @@ void split(std::string_view line, const Dialect& dialect, std::vector<std::strin
     std::size_t from = start;
     if (open != line.npos && line[open] == '"')
       if (const auto close = line.find('"', open + 1); close != line.npos) from = close;
-    const auto stop = std::min(blanks ? line.find_first_of(" \t", from) : line.find(dialect.delimiter, from),
-                               line.size());
+    const auto stop =
+        std::min(blanks ? line.find_first_of(" \t", from) : line.find(dialect.delimiter, from), line.size());
     auto cell = trimmed(line.substr(start, stop - start));
     if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"')
       cell = trimmed(cell.substr(1, cell.size() - 2));
@@ -120,10 +120,10 @@ std::optional<double> number_in(std::string_view cell, const Dialect& dialect) {
 bool is_no_reading(std::string_view cell) {
   if (cell.empty()) return true;
   if (cell.find_first_not_of("-*#?=.\u2014\u2013") == cell.npos && cell.size() > 1) return true;
-  static constexpr std::array words = {"nan",     "-nan",     "inf",  "-inf",  "+inf",     "over",
-                                       "ovr",     "overload", "ol",   "o.l.",  "n/a",      "#n/a",
-                                       "na",      "null",     "none", "under", "overflow", "ueberlast",
-                                       "überlast", "#num!",    "err",  "error", "1.#qnan",  "1.#inf", "-1.#ind"};
+  static constexpr std::array words = {
+      "nan",      "-nan",  "inf",  "-inf",  "+inf",    "over",   "ovr",    "overload", "ol",
+      "o.l.",     "n/a",   "#n/a", "na",    "null",    "none",   "under",  "overflow", "ueberlast",
+      "überlast", "#num!", "err",  "error", "1.#qnan", "1.#inf", "-1.#ind"};
   return std::ranges::find(words, lower(cell)) != words.end();
 }
 

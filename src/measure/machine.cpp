@@ -20,9 +20,11 @@ struct Line {
 /// Travel over force by least squares.
 Line line_through(const std::vector<double>& F, const std::vector<double>& x) {
   const double n = static_cast<double>(F.size());
-  const double mF = std::accumulate(F.begin(), F.end(), 0.0) / n, mx = std::accumulate(x.begin(), x.end(), 0.0) / n;
+  const double mF = std::accumulate(F.begin(), F.end(), 0.0) / n,
+               mx = std::accumulate(x.begin(), x.end(), 0.0) / n;
   double sFF = 0, sFx = 0;
-  for (std::size_t i = 0; i < F.size(); ++i) sFF += (F[i] - mF) * (F[i] - mF), sFx += (F[i] - mF) * (x[i] - mx);
+  for (std::size_t i = 0; i < F.size(); ++i)
+    sFF += (F[i] - mF) * (F[i] - mF), sFx += (F[i] - mF) * (x[i] - mx);
   Line line;
   line.slope = sFx / sFF;
   line.intercept = mx - line.slope * mF;
@@ -30,7 +32,8 @@ Line line_through(const std::vector<double>& F, const std::vector<double>& x) {
     double sum = 0;
     const std::size_t from = F.size() * tenth / 10, to = F.size() * (tenth + 1) / 10;
     for (std::size_t i = from; i < to; ++i) sum += x[i] - line.intercept - line.slope * F[i];
-    line.worst = std::max(line.worst, std::abs(sum / static_cast<double>(std::max<std::size_t>(to - from, 1))));
+    line.worst =
+        std::max(line.worst, std::abs(sum / static_cast<double>(std::max<std::size_t>(to - from, 1))));
   }
   return line;
 }
@@ -68,8 +71,8 @@ Machine empty_machine(const Measurement& m) {
   for (auto i : order) F.push_back(s.force_N[i]), x.push_back(s.travel_m[i]);
   const Line line = line_through(F, x);
   if (!(line.slope > 0))
-    throw core::InvalidInput(fmt::format("{}: the travel does not grow with the force; is this the empty machine?",
-                                         m.file));
+    throw core::InvalidInput(
+        fmt::format("{}: the travel does not grow with the force; is this the empty machine?", m.file));
   Machine machine;
   machine.compliance_m_per_N = line.slope;
   const double range = line.slope * (most - std::max(0.0, least));
@@ -81,8 +84,10 @@ Machine empty_machine(const Measurement& m) {
     const std::size_t from = F.size() * static_cast<std::size_t>(k) / knots,
                       to = F.size() * static_cast<std::size_t>(k + 1) / knots;
     const double n = static_cast<double>(to - from);
-    const double mF = std::accumulate(F.begin() + static_cast<long>(from), F.begin() + static_cast<long>(to), 0.0) / n;
-    const double mx = std::accumulate(x.begin() + static_cast<long>(from), x.begin() + static_cast<long>(to), 0.0) / n;
+    const double mF =
+        std::accumulate(F.begin() + static_cast<long>(from), F.begin() + static_cast<long>(to), 0.0) / n;
+    const double mx =
+        std::accumulate(x.begin() + static_cast<long>(from), x.begin() + static_cast<long>(to), 0.0) / n;
     if (machine.force_N.empty() || mF > machine.force_N.back()) {
       machine.force_N.push_back(mF);
       machine.travel_m.push_back(mx);
@@ -90,10 +95,10 @@ Machine empty_machine(const Measurement& m) {
   }
   const double at_zero = machine.travel(0);
   for (double& v : machine.travel_m) v -= at_zero;
-  machine.said = fmt::format("empty machine {}: it bends, {:.4g} um/N at little force and {:.4g} um/N at {:.3g} N; "
-                             "taken by {} points",
-                             m.file, machine.slope(0) * 1e6, machine.slope(most) * 1e6, most,
-                             machine.force_N.size());
+  machine.said =
+      fmt::format("empty machine {}: it bends, {:.4g} um/N at little force and {:.4g} um/N at {:.3g} N; "
+                  "taken by {} points",
+                  m.file, machine.slope(0) * 1e6, machine.slope(most) * 1e6, most, machine.force_N.size());
   return machine;
 }
 

@@ -12,8 +12,9 @@ std::string spaced(std::string_view text) {
     const char c = text[i], next = i + 1 < text.size() ? text[i + 1] : ' ';
     const bool digit = c >= '0' && c <= '9';
     result += c == '=' || c == ':' ? ' ' : c;
-    const bool exponent = (next == 'e' || next == 'E') && i + 2 < text.size() &&
-                          (text[i + 2] == '-' || text[i + 2] == '+' || (text[i + 2] >= '0' && text[i + 2] <= '9'));
+    const bool exponent =
+        (next == 'e' || next == 'E') && i + 2 < text.size() &&
+        (text[i + 2] == '-' || text[i + 2] == '+' || (text[i + 2] >= '0' && text[i + 2] <= '9'));
     const bool letter = (next >= 'a' && next <= 'z') || (next >= 'A' && next <= 'Z') || next < 0;
     if (digit && letter && !exponent) result += ' ';
   }

@@ -72,9 +72,10 @@ constexpr std::array known = {
 /// UTF-8 letters with accents to those without, and capitals of them.
 std::string without_accents(std::string_view text) {
   using Pair = std::pair<std::string_view, std::string_view>;
-  static constexpr std::array pairs = {Pair{"ä", "a"}, Pair{"ö", "o"}, Pair{"ü", "u"},  Pair{"Ä", "a"}, Pair{"Ö", "o"},
-                                       Pair{"Ü", "u"}, Pair{"ß", "ss"}, Pair{"é", "e"}, Pair{"è", "e"}, Pair{"ê", "e"},
-                                       Pair{"à", "a"}, Pair{"ç", "c"}, Pair{"É", "e"},  Pair{"\u00A0", " "}};
+  static constexpr std::array pairs = {Pair{"ä", "a"}, Pair{"ö", "o"},     Pair{"ü", "u"},  Pair{"Ä", "a"},
+                                       Pair{"Ö", "o"}, Pair{"Ü", "u"},     Pair{"ß", "ss"}, Pair{"é", "e"},
+                                       Pair{"è", "e"}, Pair{"ê", "e"},     Pair{"à", "a"},  Pair{"ç", "c"},
+                                       Pair{"É", "e"}, Pair{"\u00A0", " "}};
   std::string result;
   for (std::size_t i = 0; i < text.size();) {
     bool replaced = false;
@@ -105,26 +106,29 @@ bool has_word(const std::string& text, std::span<const std::string_view> whole) 
   return false;
 }
 
-constexpr std::string_view other_parts[] = {"speed", "geschwindig", "rate ", "stress", "spannung", "strain",
-                                            "dehnung", "temperat", "energy", "arbeit", "work", "modul"};
+constexpr std::string_view other_parts[] = {"speed",    "geschwindig", "rate ",   "stress",
+                                            "spannung", "strain",      "dehnung", "temperat",
+                                            "energy",   "arbeit",      "work",    "modul"};
 constexpr std::string_view time_parts[] = {"time", "zeit", "temps", "elapsed", "時間"};
 constexpr std::string_view length_parts[] = {
-    "distance", "extension", "displace", "travel", "stroke",  "crosshead",   "position", "depth",
-    "deform",   "verform",   "stauch",   "eindring", "indent", "weg",       "travers",  "verschieb",
-    "deplace",  "course",    "変位",     "深さ",    "ストローク", "圧縮量"};
-constexpr std::string_view length_words[] = {"s", "x", "z", "hub", "gap", "spalt", "abstand", "compression",
-                                             "delta", "overlap", "lvdt"};
+    "distance", "extension", "displace", "travel",   "stroke",     "crosshead", "position", "depth",
+    "deform",   "verform",   "stauch",   "eindring", "indent",     "weg",       "travers",  "verschieb",
+    "deplace",  "course",    "変位",     "深さ",     "ストローク", "圧縮量"};
+constexpr std::string_view length_words[] = {"s",       "x",           "z",     "hub",     "gap", "spalt",
+                                             "abstand", "compression", "delta", "overlap", "lvdt"};
 constexpr std::string_view force_parts[] = {"force", "load", "kraft", "荷重", "試験力", "力"};
 constexpr std::string_view force_words[] = {"f", "p", "last", "effort", "charge"};
-constexpr std::string_view particle_parts[] = {"particle", "partikel", "teilchen", "granule", "specimen",
-                                               "granulat", "sample", "pellet", "bead", "probe", "粒子", "試料"};
+constexpr std::string_view particle_parts[] = {"particle", "partikel", "teilchen", "granule",
+                                               "specimen", "granulat", "sample",   "pellet",
+                                               "bead",     "probe",    "粒子",     "試料"};
 constexpr std::string_view particle_words[] = {"test", "korn", "grain", "kugel", "id", "no", "nr"};
-constexpr std::string_view diameter_parts[] = {"diameter", "durchmesser", "diametre", "height", "hohe", "粒子径",
-                                               "直径"};
+constexpr std::string_view diameter_parts[] = {"diameter", "durchmesser", "diametre", "height",
+                                               "hohe",     "粒子径",      "直径"};
 constexpr std::string_view diameter_words[] = {"d", "dia", "hohe", "size"};
 /// "platen diameter" is not the particle's.
-constexpr std::string_view tool_parts[] = {"platen", "indent", "punch", "stempel", "plate", "platte", "anvil",
-                                           "tool", "stylus", "pruefk", "prufkorper", "sensor", "cylinder"};
+constexpr std::string_view tool_parts[] = {"platen",     "indent", "punch",   "stempel", "plate",
+                                           "platte",     "anvil",  "tool",    "stylus",  "pruefk",
+                                           "prufkorper", "sensor", "cylinder"};
 
 } // namespace
 
@@ -134,7 +138,8 @@ std::optional<Unit> unit_named(std::string_view text) {
     if (unit.name == text) return Unit{std::string(text), unit.measures, unit.in_SI};
   const std::string small = folded(text);
   for (const auto& unit : known)
-    if (unit.any_case && folded(unit.name) == small) return Unit{std::string(text), unit.measures, unit.in_SI};
+    if (unit.any_case && folded(unit.name) == small)
+      return Unit{std::string(text), unit.measures, unit.in_SI};
   return {};
 }
 
@@ -197,13 +202,20 @@ bool is_contact_overlap(std::string_view name) {
 
 std::string_view words(Quantity quantity) {
   switch (quantity) {
-  case Quantity::time: return "time";
-  case Quantity::force: return "force";
-  case Quantity::displacement: return "length";
-  case Quantity::particle: return "particle";
-  case Quantity::diameter: return "diameter";
-  case Quantity::radius: return "radius";
-  default: return "something else";
+  case Quantity::time:
+    return "time";
+  case Quantity::force:
+    return "force";
+  case Quantity::displacement:
+    return "length";
+  case Quantity::particle:
+    return "particle";
+  case Quantity::diameter:
+    return "diameter";
+  case Quantity::radius:
+    return "radius";
+  default:
+    return "something else";
   }
 }
 

@@ -11,7 +11,7 @@ namespace platen::measure {
 enum class Quantity { other, time, force, displacement, particle, diameter, radius, branch };
 
 struct Unit {
-  std::string name; ///< as it was written
+  std::string name;                    ///< as it was written
   Quantity measures = Quantity::other; ///< time, force, or displacement: any length
   double in_SI = 1;
 };

@@ -37,7 +37,8 @@ bool is_row_of_units(const Remark& remark) {
   for (const auto& cell : remark.cells) {
     if (cell.empty()) continue;
     ++filled;
-    const bool bracketed = (cell.front() == '[' && cell.back() == ']') || (cell.front() == '(' && cell.back() == ')');
+    const bool bracketed =
+        (cell.front() == '[' && cell.back() == ']') || (cell.front() == '(' && cell.back() == ')');
     units += bracketed || unit_named(cell) || cell == "%" || cell == "V" || cell == "°C" || cell == "-";
   }
   return filled > 0 && units == filled;
@@ -70,8 +71,9 @@ class Reader {
     }
     if (cut_) leave_out_cut_row();
     if (sheet_.tables.empty())
-      throw InvalidInput(fmt::format("{}: there are no rows of numbers in two columns or more; read as {}, {}",
-                                     sheet_.file, sheet_.encoding, sheet_.dialect.words()));
+      throw InvalidInput(
+          fmt::format("{}: there are no rows of numbers in two columns or more; read as {}, {}", sheet_.file,
+                      sheet_.encoding, sheet_.dialect.words()));
     return std::move(sheet_);
   }
 
@@ -105,7 +107,8 @@ class Reader {
     if (!pending_.empty() && pending_.back().line == header.line - 1 && spans(pending_.back(), header))
       table.titles = pending_.back().cells;
     table.line = header.line;
-    if (sheet_.dialect.delimiter == ' ' && header.cells.size() != cells_.size()) join_words(header, cells_.size());
+    if (sheet_.dialect.delimiter == ' ' && header.cells.size() != cells_.size())
+      join_words(header, cells_.size());
     auto& names = header.cells;
     while (!names.empty() && names.back().empty() && names.size() > cells_.size()) names.pop_back();
     while (!names.empty() && names.back().empty() && (cells_.size() < names.size() || cells_.back().empty()))
@@ -199,7 +202,8 @@ class Reader {
     table.lines.pop_back();
     for (auto& column : table.columns) {
       column.values.pop_back();
-      while (!column.words.empty() && column.words.back().first >= table.lines.size()) column.words.pop_back();
+      while (!column.words.empty() && column.words.back().first >= table.lines.size())
+        column.words.pop_back();
     }
   }
 

@@ -25,9 +25,10 @@ class Importer {
   Importer(const Sheet& sheet, const ReadOptions& options) : sheet_(sheet), options_(options) {
     if (!options.displacement_is.empty() && options.displacement_is != "travel" &&
         options.displacement_is != "contact")
-      throw InvalidInput(fmt::format("--displacement-is {}: it is travel, the way between the platens (2 delta), "
-                                     "or contact, that of one platen (delta)",
-                                     options.displacement_is));
+      throw InvalidInput(
+          fmt::format("--displacement-is {}: it is travel, the way between the platens (2 delta), "
+                      "or contact, that of one platen (delta)",
+                      options.displacement_is));
   }
 
   std::vector<Specimen> read() {
@@ -47,7 +48,8 @@ class Importer {
 
   void read_table(const Table& table) {
     for (const auto& remark : table.remarks) // of a file that `platen import` wrote
-      if (const std::string text = remark.text(); text.starts_with("# machine taken off")) say_once(text.substr(2));
+      if (const std::string text = remark.text(); text.starts_with("# machine taken off"))
+        say_once(text.substr(2));
     const auto groups = groups_of(table);
     for (const auto& group : groups) {
       Origin origin{&table, roles_of(sheet_, table, group, options_), {}};
@@ -81,7 +83,8 @@ class Importer {
         its = value(*roles.diameter, row) * (roles.diameter_is_radius ? 2 : 1);
         if (!(its > 0))
           throw InvalidInput(fmt::format("{}, line {}, column {}: the diameter must be > 0", sheet_.file,
-                                         table.lines[row], table.columns[roles.diameter->column].heading.text));
+                                         table.lines[row],
+                                         table.columns[roles.diameter->column].heading.text));
       }
       const bool other = !names.empty() && row > 0 && names[row] != names[row - 1];
       if (fresh || other || (its != diameter && diameter > 0)) start(origin, row, names);
@@ -130,9 +133,11 @@ class Importer {
       if (names_particle(remark.text(), sheet_.dialect)) return true;
     const auto& last = specimens_.back();
     if (!origin.roles.time || last.time_s.empty()) return true;
-    const double begins = table.columns[origin.roles.time->column].values.front() * origin.roles.time->unit.in_SI;
+    const double begins =
+        table.columns[origin.roles.time->column].values.front() * origin.roles.time->unit.in_SI;
     if (!(begins >= last.time_s.back())) return true;
-    said_.push_back(fmt::format("the section from line {} on is joined to the one before, in time", table.line));
+    said_.push_back(
+        fmt::format("the section from line {} on is joined to the one before, in time", table.line));
     return false;
   }
 
@@ -150,8 +155,8 @@ class Importer {
   void refuse_words(const Table& table, std::size_t k) const {
     for (const auto& [row, word] : table.columns[k].words)
       if (!is_no_reading(word))
-        throw InvalidInput(fmt::format("{}, line {}, column {}: {} is not a number", sheet_.file, table.lines[row],
-                                       core::in_quotes(table.columns[k].heading.text),
+        throw InvalidInput(fmt::format("{}, line {}, column {}: {} is not a number", sheet_.file,
+                                       table.lines[row], core::in_quotes(table.columns[k].heading.text),
                                        core::in_quotes(word.substr(0, 40))));
   }
 
@@ -168,15 +173,18 @@ class Importer {
   void say_left_out(const Table& table, const Roles& roles, const std::vector<int>& lines) {
     if (lines.empty()) return;
     if (5 * lines.size() > table.lines.size())
-      throw InvalidInput(fmt::format("{}, line {}: {} of {} rows have no reading of force and displacement; are "
-                                     "these the right columns?",
-                                     sheet_.file, lines.front(), lines.size(), table.lines.size()));
+      throw InvalidInput(
+          fmt::format("{}, line {}: {} of {} rows have no reading of force and displacement; are "
+                      "these the right columns?",
+                      sheet_.file, lines.front(), lines.size(), table.lines.size()));
     std::string what = "an empty cell";
     for (auto k : {roles.displacement.column, roles.force.column})
       for (const auto& [row, word] : table.columns[k].words)
         if (table.lines[row] == lines.front())
-          what = fmt::format("{} in column {}", core::in_quotes(word), core::in_quotes(table.columns[k].heading.text));
-    std::vector<int> shown(lines.begin(), lines.begin() + static_cast<long>(std::min<std::size_t>(lines.size(), 5)));
+          what = fmt::format("{} in column {}", core::in_quotes(word),
+                             core::in_quotes(table.columns[k].heading.text));
+    std::vector<int> shown(lines.begin(),
+                           lines.begin() + static_cast<long>(std::min<std::size_t>(lines.size(), 5)));
     said_.push_back(fmt::format("{} without a reading left out: {} {}{} ({})",
                                 lines.size() == 1 ? "1 row" : fmt::format("{} rows", lines.size()),
                                 lines.size() == 1 ? "line" : "lines", fmt::join(shown, ", "),
@@ -190,9 +198,11 @@ class Importer {
 
   void say_columns(const Table& table) {
     for (const auto& column : table.columns)
-      if (!column.heading.text.empty() && is_dead(column) && quantity_named(column.heading.name) != Quantity::diameter &&
+      if (!column.heading.text.empty() && is_dead(column) &&
+          quantity_named(column.heading.name) != Quantity::diameter &&
           quantity_named(column.heading.name) != Quantity::particle && table.lines.size() > 2)
-        say_once(fmt::format("column {} is dead, all values alike: not used", core::in_quotes(column.heading.text)));
+        say_once(fmt::format("column {} is dead, all values alike: not used",
+                             core::in_quotes(column.heading.text)));
   }
 
   void finish(Specimen& s) {
@@ -202,10 +212,11 @@ class Importer {
     if (s.name.empty()) s.name = fmt::format("particle {}", 1 + (&s - specimens_.data()));
     if (options_.diameter_m) {
       if (s.diameter_m && std::abs(*s.diameter_m / *options_.diameter_m - 1) > 1e-3)
-        throw InvalidInput(fmt::format(
-            "{}: {} has the diameter {:.5g} mm in the file and {:.5g} mm on the command line (R = {:.5g} mm); leave "
-            "one out",
-            s.file, s.name, *s.diameter_m * 1e3, *options_.diameter_m * 1e3, *options_.diameter_m / 2 * 1e3));
+        throw InvalidInput(fmt::format("{}: {} has the diameter {:.5g} mm in the file and {:.5g} mm on the "
+                                       "command line (R = {:.5g} mm); leave "
+                                       "one out",
+                                       s.file, s.name, *s.diameter_m * 1e3, *options_.diameter_m * 1e3,
+                                       *options_.diameter_m / 2 * 1e3));
       s.diameter_m = options_.diameter_m;
     }
     const auto largest = std::ranges::max_element(s.force_N, {}, [](double F) { return std::abs(F); });
@@ -225,7 +236,8 @@ class Importer {
                          s.force_sign < 0 ? ", sign turned" : ""));
     say_once(fmt::format("displacement: column {} in {}{}, taken as {}", core::in_quotes(s.travel_column),
                          s.travel_unit.name, s.travel_sign < 0 ? ", sign turned" : "",
-                         s.contact_overlap ? "that of one platen, delta" : "the way between the platens, 2 delta"));
+                         s.contact_overlap ? "that of one platen, delta"
+                                           : "the way between the platens, 2 delta"));
     const bool grams = s.force_unit.name == "g" || s.force_unit.name == "kg" || s.force_unit.name == "p";
     if (grams)
       say_once(fmt::format("{} are forces: 1 {} = {} N", s.force_unit.name == "kg" ? "kilograms" : "grams",

@@ -24,10 +24,10 @@ struct Specimen {
   std::string file, name;
   int first_line = 0;
   std::optional<double> diameter_m;
-  std::vector<double> time_s; ///< empty where the file has none
-  std::vector<double> travel_m, force_N; ///< growing as the platens close; compression positive
-  std::vector<int> line;                 ///< of the file
-  bool contact_overlap = false; ///< travel_m is delta, that of one platen
+  std::vector<double> time_s;             ///< empty where the file has none
+  std::vector<double> travel_m, force_N;  ///< growing as the platens close; compression positive
+  std::vector<int> line;                  ///< of the file
+  bool contact_overlap = false;           ///< travel_m is delta, that of one platen
   double travel_sign = 1, force_sign = 1; ///< -1: turned
   Unit travel_unit, force_unit;           ///< of the file
   std::string travel_column, force_column;

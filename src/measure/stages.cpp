@@ -76,8 +76,8 @@ void mark_holds(const Numbers& x, double range, double travel_noise, Stages& sta
   }
 }
 
-/// Of a whole particle's force only noise is lost while the platens close. A loop takes nothing from the force
-/// to come back to; a break, under which the frame springs back, may look like one.
+/// Of a whole particle's force only noise is lost while the platens close. A loop takes nothing from the
+/// force to come back to; a break, under which the frame springs back, may look like one.
 std::optional<Break> find_break(const Numbers& F, const Stages& stages) {
   constexpr double least_share = 0.1;
   const double F_max = *std::ranges::max_element(F);
@@ -106,7 +106,9 @@ std::string_view name_of(Stage stage) {
 }
 
 std::string Stages::words() const {
-  const auto count = [](int n, std::string_view word) { return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s"); };
+  const auto count = [](int n, std::string_view word) {
+    return fmt::format("{} {}{}", n, word, n == 1 ? "" : "s");
+  };
   std::string text = count(holds, "hold");
   if (loops > 0) text += ", " + count(loops, "loop");
   return text + ", " + count(unloadings - loops, loops > 0 ? "last unloading" : "unloading");
@@ -138,7 +140,8 @@ Stages stages_of(const Specimen& s) {
   stages.broke = find_break(F, stages);
   const std::size_t peak = rows.size() > 1 ? rows[1] : x.size() - 1;
   const auto end = static_cast<long>(std::max<std::size_t>(stages.broke ? stages.broke->row : peak, 2));
-  const auto onset = fit::find_onset({x.begin(), x.begin() + end}, {F.begin(), F.begin() + end}, stages.force_noise_N);
+  const auto onset =
+      fit::find_onset({x.begin(), x.begin() + end}, {F.begin(), F.begin() + end}, stages.force_noise_N);
   stages.contact_travel_m = onset.x;
   stages.contact_uncertainty_m = onset.uncertainty;
   stages.baseline_N = onset.baseline;

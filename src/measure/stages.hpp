@@ -21,9 +21,10 @@ struct Break {
 
 struct Stages {
   std::vector<Stage> of_row;
-  double travel_noise_m = 0, force_noise_N = 0; ///< standard deviations, from differences of neighbouring rows
-  int holds = 0, unloadings = 0;                ///< how many
-  int loops = 0;                                ///< unloadings that are followed by a reloading
+  double travel_noise_m = 0,
+         force_noise_N = 0;      ///< standard deviations, from differences of neighbouring rows
+  int holds = 0, unloadings = 0; ///< how many
+  int loops = 0;                 ///< unloadings that are followed by a reloading
   std::optional<Break> broke;
   /// Where force begins, by a power law with onset and baseline fitted to the foot of the curve.
   double contact_travel_m = 0, contact_uncertainty_m = 0;

@@ -20,9 +20,10 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(Deck, KeywordsInAnyCaseOverSeveralLinesWithRemarks) {
-  const auto decks = read_deck("** a remark\n*Heading\nx\n*MATERIAL,\nNAME=Steel one\n*elastic, type=ISOTROPIC\n"
-                               " 2.1d11 , .3\n*Step\n*Plastic\n1,0\n",
-                               "a.inp");
+  const auto decks =
+      read_deck("** a remark\n*Heading\nx\n*MATERIAL,\nNAME=Steel one\n*elastic, type=ISOTROPIC\n"
+                " 2.1d11 , .3\n*Step\n*Plastic\n1,0\n",
+                "a.inp");
   ASSERT_EQ(decks.size(), 1u);
   EXPECT_EQ(decks.front().name, "Steel one");
   EXPECT_EQ(decks.front().keywords.size(), 1u) << "a step is no material";
@@ -31,7 +32,8 @@ TEST(Deck, KeywordsInAnyCaseOverSeveralLinesWithRemarks) {
 }
 
 TEST(Deck, AngleInRadiansIsRefusedWithTheAngleItWouldBe) {
-  const auto why = refusal("*MATERIAL\n*ELASTIC\n1e9,0.2\n*DRUCKER PRAGER\n0.7714,1,0.2\n*DRUCKER PRAGER HARDENING\n1e6,0\n");
+  const auto why = refusal(
+      "*MATERIAL\n*ELASTIC\n1e9,0.2\n*DRUCKER PRAGER\n0.7714,1,0.2\n*DRUCKER PRAGER HARDENING\n1e6,0\n");
   EXPECT_NE(why.find("as radians it would be 44.2"), std::string::npos) << why;
 }
 
@@ -47,7 +49,8 @@ TEST(Deck, WhatIsMissingIsNamed) {
 
 TEST(Deck, StrengthByTensionAndShearGivesTheSameLine) {
   // d = (1 - tan(beta)/3) sigma_c = (1 + tan(beta)/3) sigma_t = sqrt(3) tau with K = 1 (Abaqus, linear model)
-  const std::string head = "*MATERIAL\n*ELASTIC\n1e9,0.2\n*DRUCKER PRAGER\n45,1,0\n*DRUCKER PRAGER HARDENING, TYPE=";
+  const std::string head =
+      "*MATERIAL\n*ELASTIC\n1e9,0.2\n*DRUCKER PRAGER\n45,1,0\n*DRUCKER PRAGER HARDENING, TYPE=";
   const double sigma_c = std::get<DruckerPrager>(from(head + "COMPRESSION\n3e6,0\n").material.model).sigma_c;
   EXPECT_DOUBLE_EQ(sigma_c, 3e6);
   EXPECT_NEAR(std::get<DruckerPrager>(from(head + "TENSION\n1.5e6,0\n").material.model).sigma_c, 3e6, 10);
@@ -55,7 +58,8 @@ TEST(Deck, StrengthByTensionAndShearGivesTheSameLine) {
 }
 
 TEST(Deck, AnotherTemperatureIsListedAndNotTaken) {
-  const auto c = from("*MATERIAL\n*ELASTIC\n1e9,0.2,20\n5e8,0.2,200\n*PLASTIC\n1e6,0,20\n2e6,0.1,20\n5e5,0,200\n");
+  const auto c =
+      from("*MATERIAL\n*ELASTIC\n1e9,0.2,20\n5e8,0.2,200\n*PLASTIC\n1e6,0,20\n2e6,0.1,20\n5e5,0,200\n");
   EXPECT_EQ(std::get<HardeningTable>(std::get<VonMises>(c.material.model).hardening).size, 2);
   EXPECT_EQ(c.left_over.size(), 2u);
 }

@@ -34,8 +34,10 @@ std::string rows(const std::string& header, const std::function<std::string(int)
 std::string plain(int i) { return fmt::format("{},{}", 0.001 * i, 0.1 * i); }
 
 TEST(Specimen, DialectsGiveTheSameNumbers) {
-  const auto a = read(rows("Weg in mm;Kraft in N\n", [](int i) { return fmt::format("0,{:03};{},5", i, i); }));
-  const auto b = read(rows("Travel (mm)\tForce (N)\n", [](int i) { return fmt::format("0.{:03}\t{}.5", i, i); }));
+  const auto a =
+      read(rows("Weg in mm;Kraft in N\n", [](int i) { return fmt::format("0,{:03};{},5", i, i); }));
+  const auto b =
+      read(rows("Travel (mm)\tForce (N)\n", [](int i) { return fmt::format("0.{:03}\t{}.5", i, i); }));
   const auto c = read(rows("\"Travel\",\"Load\"\n\"(mm)\",\"(N)\"\n",
                            [](int i) { return fmt::format("\"0.{:03}\",\"{}.5\"", i, i); }));
   EXPECT_EQ(a.specimens.front().travel_m, b.specimens.front().travel_m);
@@ -44,12 +46,14 @@ TEST(Specimen, DialectsGiveTheSameNumbers) {
 }
 
 TEST(Specimen, ThousandsSignsAreNoDecimals) {
-  const auto m = read(rows("Weg in um;Kraft in N\n", [](int i) { return fmt::format("1.{:03},5;{},0", i, i); }));
+  const auto m =
+      read(rows("Weg in um;Kraft in N\n", [](int i) { return fmt::format("1.{:03},5;{},0", i, i); }));
   EXPECT_NEAR(m.specimens.front().travel_m[1], 1001.5e-6, 1e-12);
 }
 
 TEST(Specimen, SignsAreTurnedAndSaid) {
-  const auto m = read(rows("travel_mm,force_N\n", [](int i) { return fmt::format("{},{}", 3.2 - 0.001 * i, -0.1 * i); }));
+  const auto m = read(
+      rows("travel_mm,force_N\n", [](int i) { return fmt::format("{},{}", 3.2 - 0.001 * i, -0.1 * i); }));
   const auto& s = m.specimens.front();
   EXPECT_GT(s.force_N.back(), 0);
   EXPECT_GT(s.travel_m.back(), s.travel_m.front());
@@ -71,7 +75,8 @@ TEST(Specimen, ColumnsAndUnitsComeFromTheCommandLineWhereTheFileDoesNotSayThem) 
   EXPECT_DOUBLE_EQ(m.specimens.front().force_N[1], 0.1e-3);
   EXPECT_DOUBLE_EQ(m.specimens.front().travel_m[1], 1e-9);
   options.force = "C:N";
-  EXPECT_EQ(refusal(rows("B,A\n", plain), options), "f, line 1: --force \"C\" is no column; there are \"B\", \"A\"");
+  EXPECT_EQ(refusal(rows("B,A\n", plain), options),
+            "f, line 1: --force \"C\" is no column; there are \"B\", \"A\"");
 }
 
 TEST(Specimen, TextInPlaceOfANumberIsNamedByLineAndColumn) {
@@ -131,7 +136,9 @@ TEST(Stages, ContactPointAndZeroOfTheLoadCellAreFoundTogether) {
 
 TEST(Stages, AHoldAnUnloadingAndALoopAreTold) {
   auto s = particle(0, 0);
-  const auto add = [&](double x, double F) { s.travel_m.push_back(x), s.force_N.push_back(F), s.line.push_back(0); };
+  const auto add = [&](double x, double F) {
+    s.travel_m.push_back(x), s.force_N.push_back(F), s.line.push_back(0);
+  };
   const double x = s.travel_m.back(), F = s.force_N.back();
   for (int i = 0; i < 30; ++i) add(x, F);
   for (int i = 1; i < 20; ++i) add(x - 0.5e-6 * i, F * (1 - 0.05 * i));
@@ -157,8 +164,8 @@ TEST(Machine, ABentLineIsTakenByPoints) {
   const auto machine = measure::empty_machine(m);
   EXPECT_FALSE(machine.force_N.empty());
   for (double F : {20.0, 40.0, 70.0})
-    EXPECT_NEAR(machine.travel(F) - machine.travel(10), 0.3e-6 * (F - 10) + 4e-6 * (std::exp(-1) - std::exp(-F / 10)),
-                0.15e-6);
+    EXPECT_NEAR(machine.travel(F) - machine.travel(10),
+                0.3e-6 * (F - 10) + 4e-6 * (std::exp(-1) - std::exp(-F / 10)), 0.15e-6);
 }
 
 } // namespace

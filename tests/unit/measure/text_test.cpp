@@ -18,8 +18,14 @@ std::string refusal(std::string bytes) {
 TEST(Text, EncodingsAreToldByTheirBytes) {
   EXPECT_EQ(decode("s,N\n", "f").encoding, "ASCII");
   EXPECT_EQ(decode("\xEF\xBB\xBFµm", "f").utf8, "µm");
-  EXPECT_EQ(decode("Pr\xFC" "fkraft \xB5m", "f").utf8, "Prüfkraft µm");
-  const std::string wide("\xFF\xFE" "N\0;\0\xB5\0", 8);
+  EXPECT_EQ(decode("Pr\xFC"
+                   "fkraft \xB5m",
+                   "f")
+                .utf8,
+            "Prüfkraft µm");
+  const std::string wide("\xFF\xFE"
+                         "N\0;\0\xB5\0",
+                         8);
   EXPECT_EQ(decode(wide, "f").utf8, "N;µ");
   const std::string big("\xFE\xFF\0N\0;", 6);
   EXPECT_EQ(decode(big, "f").utf8, "N;");

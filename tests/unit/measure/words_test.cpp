@@ -12,7 +12,8 @@ TEST(Words, HeadingsComeApartAsInstrumentsWriteThem) {
        {std::tuple{"Kraft in N", "Kraft", "N"}, std::tuple{"Force[mN]", "Force", "mN"},
         std::tuple{"travel_um", "travel", "um"}, std::tuple{"Load (N)", "Load", "N"},
         std::tuple{"Standardweg", "Standardweg", ""}, std::tuple{"Weg / mm", "Weg", "mm"},
-        std::tuple{"Displacement, mm", "Displacement", "mm"}, std::tuple{"Durchmesser [mm]:", "Durchmesser", "mm"}}) {
+        std::tuple{"Displacement, mm", "Displacement", "mm"},
+        std::tuple{"Durchmesser [mm]:", "Durchmesser", "mm"}}) {
     const Heading heading = heading_of(text);
     EXPECT_EQ(heading.name, name) << text;
     EXPECT_EQ(heading.unit, unit) << text;
@@ -20,10 +21,12 @@ TEST(Words, HeadingsComeApartAsInstrumentsWriteThem) {
 }
 
 TEST(Words, QuantitiesInSeveralLanguages) {
-  for (const auto* name : {"Force", "Load", "Compressive load", "Standardkraft", "Prüfkraft", "Kraft", "試験力", "F"})
+  for (const auto* name :
+       {"Force", "Load", "Compressive load", "Standardkraft", "Prüfkraft", "Kraft", "試験力", "F"})
     EXPECT_EQ(quantity_named(name), Quantity::force) << name;
-  for (const auto* name : {"Distance", "Extension", "Compressive extension", "Displacement", "Stroke", "Standardweg",
-                           "Wegaufnehmer Platten", "Traverse abs.", "Position", "Depth", "変位", "s"})
+  for (const auto* name :
+       {"Distance", "Extension", "Compressive extension", "Displacement", "Stroke", "Standardweg",
+        "Wegaufnehmer Platten", "Traverse abs.", "Position", "Depth", "変位", "s"})
     EXPECT_EQ(quantity_named(name), Quantity::displacement) << name;
   for (const auto* name : {"Time", "Prüfzeit", "Laufzeit", "Zeit  1 - Standardmessrate"})
     EXPECT_EQ(quantity_named(name), Quantity::time) << name;

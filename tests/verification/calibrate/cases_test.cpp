@@ -110,7 +110,8 @@ TEST(Cases, BlocksWithADiameterEach) {
     const auto& p = c.particles[i];
     EXPECT_NEAR(p.diameter_m, diameters[i], 1e-12);
     for (std::size_t k = 0; k < c.free.size(); ++k)
-      expect_within(p.values[k], c.free[k].key == "E_Pa" ? 5.0e9 : 20.0e6, c.free[k].key == "E_Pa" ? 0.05 : 0.03);
+      expect_within(p.values[k], c.free[k].key == "E_Pa" ? 5.0e9 : 20.0e6,
+                    c.free[k].key == "E_Pa" ? 0.05 : 0.03);
     EXPECT_NEAR(p.contact_m, 0, 0.05e-6);
   }
 }
@@ -140,7 +141,8 @@ TEST(Cases, OfTwoDisplacementsOneIsAskedForAndDeadChannelsAreNotTaken) {
   expect_within(value(c, "E_Pa"), 1.2e9, 0.05);
   EXPECT_NEAR(c.particles.front().contact_m, 47.1e-6, 2e-6);
   read.displacement = "Traverse abs.";
-  expect_within(value(calibrated({"s06_logger_two_ways.asc", "shahin", {{"nu", "0.25"}}, read}), "E_Pa"), 0.39e9, 0.05);
+  expect_within(value(calibrated({"s06_logger_two_ways.asc", "shahin", {{"nu", "0.25"}}, read}), "E_Pa"),
+                0.39e9, 0.05);
 }
 
 TEST(Cases, ALongTableOfABatchTwoOfTwelveBroken) {
@@ -173,8 +175,8 @@ TEST(Cases, AnEmptyMachineIsNoParticle) {
 TEST(Cases, UnitsThatStandNowhereAreAskedForWithAReadingThatMakesSense) {
   const law::ParameterTexts given = {{"nu", "0.3"}, {"E_Pa", "0.3e9"}};
   const auto why = refusal({"s09_no_units.csv", "shahin", given, radius(0.6e-3)});
-  for (const auto part : {"--force \"F\":N", "--displacement \"s\":mm", "taken as mm, delta/R would end at 0.2",
-                          "taken as m, delta/R would end at 200"})
+  for (const auto part : {"--force \"F\":N", "--displacement \"s\":mm",
+                          "taken as mm, delta/R would end at 0.2", "taken as m, delta/R would end at 200"})
     EXPECT_NE(why.find(part), std::string::npos) << why;
   auto read = radius(0.6e-3);
   read.force = "F:N", read.displacement = "s:mm";

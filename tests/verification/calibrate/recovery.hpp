@@ -15,8 +15,8 @@ namespace platen::synthetic {
 constexpr int particles = 20;
 
 struct Tally {
-  std::map<std::string, double> worst;       ///< relative deviation of the pooled value
-  std::map<std::string, int> covered;        ///< truth within 1.96 standard errors
+  std::map<std::string, double> worst;        ///< relative deviation of the pooled value
+  std::map<std::string, int> covered;         ///< truth within 1.96 standard errors
   double worst_contact = 0, mean_contact = 0; ///< over R
   int repetitions = 0;
 };
@@ -47,18 +47,24 @@ inline Tally repeat(const Truth& truth, int repetitions, std::uint64_t seed) {
       tally.covered[c.free[k].key] += std::abs(c.values[k] - expected) < 1.96 * c.errors[k];
     }
     for (const auto& p : c.particles) {
-      const double off = std::abs(p.contact_m - contacts[static_cast<std::size_t>(std::stoi(p.name))]) / (p.diameter_m / 2);
+      const double off =
+          std::abs(p.contact_m - contacts[static_cast<std::size_t>(std::stoi(p.name))]) / (p.diameter_m / 2);
       tally.worst_contact = std::max(tally.worst_contact, off);
       tally.mean_contact += off / particles / repetitions;
     }
     ++tally.repetitions;
   }
   for (const auto& [key, worst] : tally.worst)
-    testing::Test::RecordProperty(key, fmt::format("worst {:.2e}, covered {} of {}", worst, tally.covered[key], repetitions));
+    testing::Test::RecordProperty(
+        key, fmt::format("worst {:.2e}, covered {} of {}", worst, tally.covered[key], repetitions));
   return tally;
 }
 
-inline const Truth granule{"shahin", {{"kappa_Pa", "6.0272e6"}, {"inverse_m", "0.6585"}, {"E_Pa", "0.4e9"}, {"nu", "0.3"}}, 1e-6, 0.02};
+inline const Truth granule{
+    "shahin",
+    {{"kappa_Pa", "6.0272e6"}, {"inverse_m", "0.6585"}, {"E_Pa", "0.4e9"}, {"nu", "0.3"}},
+    1e-6,
+    0.02};
 inline const Truth metal{"agarwal", {{"sigma_y_Pa", "12e6"}, {"E_Pa", "2e9"}, {"nu", "0.3"}}, 0.4e-6, 0.02};
 
 } // namespace platen::synthetic

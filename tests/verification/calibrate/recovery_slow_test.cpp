@@ -16,6 +16,8 @@ void expect_honest(const synthetic::Tally& tally, double worst) {
 }
 
 TEST(Coverage, OfGranules) { expect_honest(synthetic::repeat(synthetic::granule, 200, 4), 0.03); }
-TEST(Coverage, OfElasticPlasticParticles) { expect_honest(synthetic::repeat(synthetic::metal, 200, 5), 0.05); }
+TEST(Coverage, OfElasticPlasticParticles) {
+  expect_honest(synthetic::repeat(synthetic::metal, 200, 5), 0.05);
+}
 
 } // namespace

@@ -1,5 +1,6 @@
 #pragma once
-// Measurements of a law with known parameters: gap, noise, zero of the load cell, compliance, loops, breakage.
+// Measurements of a law with known parameters: gap, noise, zero of the load cell, compliance, loops,
+// breakage.
 
 #include "core/number.hpp"
 #include "fit/law_card.hpp"
@@ -33,7 +34,8 @@ inline Made measured(const Truth& truth, double diameter_m, double gap_m, double
   std::vector<double> path;
   const double step = delta_max / 150;
   const auto go = [&](double to) {
-    while (std::abs(to - path.back()) > 1.5 * step) path.push_back(path.back() + (to > path.back() ? step : -step));
+    while (std::abs(to - path.back()) > 1.5 * step)
+      path.push_back(path.back() + (to > path.back() ? step : -step));
     path.push_back(to);
   };
   path.push_back(-gap_m / 2);
