@@ -58,7 +58,7 @@ class Gate {
     for (const auto& [words, factor] :
          {Reading{"mm instead of m", 1e-3}, Reading{"um instead of m, or of a length in mm taken as m", 1e-6},
           Reading{"the travel between two platens instead of delta", 0.5}})
-      if (sense.empty() && delta_bar_ * factor < delta_bar_usual && delta_bar_ * factor > 5e-3)
+      if (sense.empty() && delta_bar_ * factor < 1.001 * delta_bar_usual && delta_bar_ * factor > 5e-3)
         sense = fmt::format("; with {}, delta/R would end at {:.2g}", words, delta_bar_ * factor);
     const bool refuses = delta_bar_ > delta_bar_refused;
     say(refuses, fmt::format("delta/R ends at {:.3g}, {}{}", delta_bar_,

@@ -197,12 +197,15 @@ class Importer {
   }
 
   void say_columns(const Table& table) {
-    for (const auto& column : table.columns)
-      if (!column.heading.text.empty() && is_dead(column) &&
-          quantity_named(column.heading.name) != Quantity::diameter &&
-          quantity_named(column.heading.name) != Quantity::particle && table.lines.size() > 2)
+    for (const auto& column : table.columns) {
+      const Quantity what = quantity_named(column.heading.name);
+      const bool channel = what != Quantity::diameter && what != Quantity::radius &&
+                           what != Quantity::particle &&
+                           std::ranges::any_of(column.values, [](double v) { return std::isfinite(v); });
+      if (channel && !column.heading.text.empty() && is_dead(column))
         say_once(fmt::format("column {} is dead, all values alike: not used",
                              core::in_quotes(column.heading.text)));
+    }
   }
 
   void finish(Specimen& s) {
