@@ -34,7 +34,8 @@ void refuse_missing(const FreeLaw& law, const Settings& settings) {
   for (const auto& p : info.parameters) {
     const bool looked_for =
         std::ranges::any_of(law.parameters, [&](const auto& f) { return f.key == p.key; });
-    if (!std::isnan(p.fallback) || looked_for || p.key == "radius_m" ||
+    const bool own = p.key == "sigma_ref_Pa"; // only its product with k is in the law
+    if (!std::isnan(p.fallback) || looked_for || own || p.key == "radius_m" ||
         settings.given.contains(std::string(p.key)))
       continue;
     const bool option = p.key == "nu" || p.key == "E_Pa";
@@ -67,12 +68,17 @@ Quality quality(const Particle& p) {
   const double mean = std::accumulate(F.begin(), F.end(), 0.0) / static_cast<double>(F.size());
   double deviation = 0, spread = 0, square = 0;
   for (std::size_t i = 0; i < F.size(); ++i) {
-    const double measured = F[i] - p.baseline_N;
+    const double measured = p.measured_N(i);
     deviation += std::pow(measured - p.force_N[i], 2);
     spread += std::pow(F[i] - mean, 2);
     square += measured * measured;
   }
   return {1 - deviation / spread, std::sqrt(deviation / square)};
+}
+
+std::string zero_words(const Particle& p) {
+  return fmt::format("{:.3g} N{}", p.baseline_N,
+                     p.drift_fitted ? fmt::format(", drifting by {:.2g} N", p.drift_N) : "");
 }
 
 class Calibrator {
@@ -84,6 +90,8 @@ class Calibrator {
     task_.card.variant = settings.variant;
     task_.card.parameters = settings.given;
     task_.scales = law_.scales;
+    task_.strength = law_.strength;
+    task_.ratio_most = law_.ratio_most;
     for (const auto& p : law_.parameters)
       if (!settings.given.contains(p.key)) task_.free.push_back(p);
   }
@@ -121,6 +129,7 @@ class Calibrator {
         p.file = s.file, p.name = s.name, p.diameter_m = *s.diameter_m;
         p.samples = samples_of(s, p.stages, settings_.machine, law_.has_unloading);
         p.rows = p.samples.rows;
+        say_relaxation(s, p);
         c_.particles.push_back(std::move(p));
         specimens_.push_back(&s);
       }
@@ -133,6 +142,25 @@ class Calibrator {
     }
     refuse_without_unloading();
     c_.free = task_.free;
+  }
+
+  /// The laws know no time.
+  void say_relaxation(const Specimen& s, const Particle& p) {
+    constexpr double noticed = 0.02;
+    for (std::size_t i = 0; i < s.force_N.size();) {
+      std::size_t end = i;
+      while (end < s.force_N.size() && p.stages.of_row[end] == measure::Stage::hold) ++end;
+      if (end == i) {
+        ++i;
+        continue;
+      }
+      const double fell = s.force_N[i] - s.force_N[end - 1];
+      if (fell > noticed * p.samples.force_max_N && fell > 6 * p.stages.force_noise_N)
+        c_.said.push_back(fmt::format("{}: in the hold from line {} on the force fell by {:.2g} % of the largest: it "
+                                      "relaxes, and the law knows no time",
+                                      s.name, s.line[i], 100 * fell / p.samples.force_max_N));
+      i = end;
+    }
   }
 
   void refuse_without_unloading() const {
@@ -175,6 +203,7 @@ class Calibrator {
       p.contact = fmt::format("{} +- {:.2g}", s.on_scale_of_file(own.contact_m),
                               own.contact_error_m / s.travel_unit.in_SI);
       p.baseline_N = own.baseline_N, p.baseline_fitted = own.baseline_fitted;
+      p.drift_N = own.drift_N, p.drift_fitted = own.drift_fitted;
       p.force_N = own.force_N;
       const Quality q = quality(p);
       p.R2 = q.R2, p.relative_l2 = q.relative_l2;
@@ -207,7 +236,7 @@ class Calibrator {
       for (std::size_t i = 0; i < p.samples.force_N.size(); ++i)
         if (p.samples.stage[i] == measure::Stage::loading) {
           claim.delta_m.push_back(p.samples.delta(i, p.contact_m));
-          claim.force_N.push_back(p.samples.force_N[i] - p.baseline_N);
+          claim.force_N.push_back(p.measured_N(i));
         }
       claim.E_Pa = known("E_Pa");
       claim.nu = known("nu");
@@ -289,10 +318,10 @@ class Calibrator {
     for (const auto& p : c_.particles) {
       const std::string name = c_.particles.size() > 1 ? p.name + ": " : "";
       contacts.push_back(name + p.contact);
-      if (p.baseline_fitted) baselines.push_back(fmt::format("{}{:.3g} N", name, p.baseline_N));
+      if (p.baseline_fitted) baselines.push_back(name + zero_words(p));
     }
     from.emplace_back("contact_fitted", fmt::format("{}", fmt::join(contacts, ", ")));
-    from.emplace_back("baseline_fitted", baselines.empty() ? std::string("none: no row before contact")
+    from.emplace_back("baseline_fitted", baselines.empty() ? std::string("none: no row out of contact")
                                                            : fmt::format("{}", fmt::join(baselines, ", ")));
     from.emplace_back("machine", machine_words());
     if (!c_.said.empty()) from.emplace_back("remarks", fmt::format("{}", fmt::join(c_.said, "; ")));
@@ -341,7 +370,7 @@ std::string words_of(const Calibration& c) {
   for (const auto& p : c.particles) {
     text += fmt::format("  {}: d = {:.4g} mm, {} rows ({}), contact at {}, R2 = {:.6f}", p.name,
                         p.diameter_m * 1e3, p.rows, p.stages.words(), p.contact, p.R2);
-    if (p.baseline_fitted) text += fmt::format(", load cell zero {:.3g} N", p.baseline_N);
+    if (p.baseline_fitted) text += ", load cell zero " + zero_words(p);
     if (c.particles.size() > 1)
       for (std::size_t k = 0; k < p.values.size(); ++k)
         text += fmt::format(", {} = {:.4g}", c.free[k].key, p.values[k]);

@@ -27,11 +27,14 @@ struct Particle {
   std::vector<double> values, errors; ///< of this particle alone
   double contact_m = 0, contact_error_m = 0;
   std::string contact; ///< on the scale of the file
-  double baseline_N = 0;
-  bool baseline_fitted = false;
+  double baseline_N = 0, drift_N = 0; ///< as Own
+  bool baseline_fitted = false, drift_fitted = false;
   double R2 = 0, relative_l2 = 0; ///< of the pooled law
   Samples samples;
   std::vector<double> force_N; ///< of the pooled law, at the samples
+
+  /// Of a sample, without the zero of the load cell.
+  double measured_N(std::size_t i) const { return samples.force_N[i] - baseline_N - drift_N * samples.progress[i]; }
 };
 
 struct Calibration {

@@ -42,10 +42,11 @@ const std::vector<FreeLaw>& all() {
           {"lambda_p", false, false, 1e-3, 0.999, {0.3, 0.9}, true}},
          "",
          true,
+         1e6,
          false}, // unless n is 3/2
     };
     for (const std::string_view name : {"kogut-etsion", "etsion-unloading", "jackson-green", "mdr"})
-      list.push_back({name, {sigma_y, E}, "sigma_y_Pa", true});
+      list.push_back({name, {sigma_y, E}, "sigma_y_Pa", true, name == "jackson-green" ? 2e4 : 1e6});
     return list;
   }();
   return laws;

@@ -23,6 +23,7 @@ struct FreeLaw {
   std::vector<FreeParameter> parameters;
   std::string_view strength; ///< the key of its strength; empty: it has none
   bool has_unloading = true; ///< its unloading follows from these parameters
+  double ratio_most = 1e6;   ///< E over strength that the law's tables reach
   bool scales = true;        ///< F = R^2 f(delta/R): one law serves particles of all sizes
 };
 

@@ -38,10 +38,13 @@ Samples samples_of(const measure::Specimen& s, const measure::Stages& stages, co
     samples.compliance.push_back(machine.slope(F));
     samples.stage.push_back(stages.of_row[i]);
     samples.unloads = samples.unloads || stages.of_row[i] == Stage::unloading;
-    samples.apart += stages.of_row[i] == Stage::approach;
+    samples.apart_before += stages.of_row[i] == Stage::approach;
+    samples.progress.push_back(s.time_s.empty() ? static_cast<double>(i) : s.time_s[i]);
     i = stop;
   }
   samples.rows = end;
+  const double begin = samples.progress.front(), whole = samples.progress.back() - begin;
+  for (double& p : samples.progress) p = whole > 0 ? (p - begin) / whole : 0;
   samples.force_max_N = *std::ranges::max_element(samples.force_N);
   samples.sigma_N.assign(samples.force_N.size(), std::max(samples.force_noise_N, 1e-4 * samples.force_max_N));
   return samples;

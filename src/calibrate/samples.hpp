@@ -23,7 +23,8 @@ struct Samples {
   std::vector<double> sigma_N; ///< what the noise of force and travel lets expect
   std::size_t rows = 0;        ///< of the file
   bool unloads = false;
-  std::size_t apart = 0; ///< rows before contact: they show the baseline
+  std::vector<double> progress; ///< of the test at each row, 0 to 1, by time where the file has it
+  std::size_t apart_before = 0, apart_after = 0; ///< rows out of contact: they show the zero of the load cell
 
   double delta(std::size_t i, double contact_m) const { return per_travel * (travel_m[i] - contact_m); }
 };

@@ -8,6 +8,7 @@
 #include <ceres/ceres.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <numeric>
@@ -35,8 +36,10 @@ struct Coordinates {
 law::ParameterTexts texts_of(const Task& task, const double* theta, double radius_m) {
   const Coordinates c{task};
   law::ParameterTexts texts{{"radius_m", core::number_text(radius_m)}, {"against", "plane"}};
-  for (std::size_t k = 0; k < task.free.size(); ++k)
-    texts[task.free[k].key] = core::number_text(c.outside(k, theta[k]));
+  for (std::size_t k = 0; k < task.free.size(); ++k) { // differences at a bound must not step over it
+    const double value = std::clamp(c.outside(k, theta[k]) / c.unit(k), task.free[k].low, task.free[k].high);
+    texts[task.free[k].key] = core::number_text(value * c.unit(k));
+  }
   return texts;
 }
 
@@ -56,8 +59,10 @@ class Workshop {
     for (const auto& [known, made] : made_)
       if (known == key) return made;
     std::shared_ptr<const Law> made;
+    const auto texts = texts_of(task_, theta, radius_m);
     try {
-      made = std::make_shared<const Law>(fit::make_law(task_.card, texts_of(task_, theta, radius_m)));
+      if (!(ratio(texts) > task_.ratio_most))
+        made = std::make_shared<const Law>(fit::make_law(task_.card, texts));
     } catch (const core::InvalidInput&) {}
     constexpr std::size_t kept = 64;
     if (made_.size() < kept) made_.emplace_back(std::move(key), made);
@@ -76,24 +81,47 @@ class Workshop {
   const Task& task() const { return task_; }
 
  private:
+  /// E over strength; 0 where the law has no such two.
+  double ratio(const law::ParameterTexts& texts) const {
+    const auto value = [&](const std::string& key) {
+      const auto found = texts.find(key);
+      if (found != texts.end()) return core::number_from(found->second).value_or(0);
+      const auto given = task_.card.parameters.find(key);
+      return given == task_.card.parameters.end() ? 0 : core::number_from(given->second).value_or(0);
+    };
+    const double strength = value(task_.strength);
+    return strength > 0 ? value("E_Pa") / strength : 0;
+  }
+
   const Task& task_;
   std::vector<std::pair<Numbers, std::shared_ptr<const Law>>> made_;
   std::size_t next_ = 0;
 };
 
-/// theta of the law; contact point over R; baseline over the largest force.
+/// What of the zero of the load cell is fitted: nothing, its value, its value and a drift.
+constexpr std::size_t least_apart = 8; // rows out of contact that show it
+std::size_t zero_parameters(const Samples& s) {
+  if (s.apart_before >= least_apart && s.apart_after >= least_apart) return 2;
+  return s.apart_before + s.apart_after >= least_apart ? 1 : 0;
+}
+
+/// theta of the law; contact point over R; zero of the load cell and its drift over the largest force.
 struct Residuals {
   Workshop* workshop;
   const Samples* s;
-  bool baseline;
+  std::size_t zeros;
 
   bool operator()(const double* const* blocks, double* residuals) const {
     Numbers force;
     const double contact = s->contact_guess_m + blocks[1][0] * s->radius_m;
-    if (!workshop->predicted(*s, blocks[0], contact, force)) return false;
-    const double zero = baseline ? blocks[2][0] * s->force_max_N : 0;
+    if (!workshop->predicted(*s, blocks[0], contact, force)) { // a step that is not taken
+      for (std::size_t i = 0; i < s->force_N.size(); ++i) residuals[i] = 1e3 * s->force_max_N / s->sigma_N[i];
+      return true;
+    }
+    const double zero = zeros > 0 ? blocks[2][0] * s->force_max_N : 0;
+    const double drift = zeros > 1 ? blocks[2][1] * s->force_max_N : 0;
     for (std::size_t i = 0; i < force.size(); ++i)
-      residuals[i] = (s->force_N[i] - zero - force[i]) / s->sigma_N[i];
+      residuals[i] = (s->force_N[i] - zero - drift * s->progress[i] - force[i]) / s->sigma_N[i];
     return true;
   }
 };
@@ -109,7 +137,8 @@ struct StopWhenInterrupted : ceres::IterationCallback {
 };
 
 struct State {
-  Numbers theta, contact, baseline;
+  Numbers theta, contact;
+  std::vector<std::array<double, 2>> zero; ///< of the load cell, and its drift
   double cost = std::numeric_limits<double>::infinity();
   bool converged = false;
 };
@@ -123,15 +152,15 @@ class Problem {
     ceres::NumericDiffOptions numeric;
     numeric.relative_step_size = 1e-5; // the tables of a law are smooth to 1e-6 or so
     for (std::size_t p = 0; p < samples.size(); ++p) {
-      const bool zero = samples[p].apart >= least_apart;
+      const std::size_t zeros = zero_parameters(samples[p]);
       auto* cost = new ceres::DynamicNumericDiffCostFunction<Residuals, ceres::CENTRAL>(
-          new Residuals{&workshop, &samples[p], zero}, ceres::TAKE_OWNERSHIP, numeric);
+          new Residuals{&workshop, &samples[p], zeros}, ceres::TAKE_OWNERSHIP, numeric);
       std::vector<double*> blocks = {state_.theta.data(), &state_.contact[p]};
       cost->AddParameterBlock(static_cast<int>(task.free.size()));
       cost->AddParameterBlock(1);
-      if (zero) {
-        cost->AddParameterBlock(1);
-        blocks.push_back(&state_.baseline[p]);
+      if (zeros > 0) {
+        cost->AddParameterBlock(static_cast<int>(zeros));
+        blocks.push_back(state_.zero[p].data());
       }
       cost->SetNumResiduals(static_cast<int>(samples[p].force_N.size()));
       problem_.AddResidualBlock(cost, nullptr, blocks);
@@ -164,13 +193,13 @@ class Problem {
     return state_;
   }
 
-  /// d(residuals)/d(theta, contacts, baselines), dense.
+  /// d(residuals)/d(theta, contacts, zeros), dense.
   Eigen::MatrixXd jacobian() {
     ceres::Problem::EvaluateOptions options;
     options.parameter_blocks.push_back(state_.theta.data());
     for (std::size_t p = 0; p < samples_.size(); ++p) options.parameter_blocks.push_back(&state_.contact[p]);
     for (std::size_t p = 0; p < samples_.size(); ++p)
-      if (samples_[p].apart >= least_apart) options.parameter_blocks.push_back(&state_.baseline[p]);
+      if (zero_parameters(samples_[p]) > 0) options.parameter_blocks.push_back(state_.zero[p].data());
     ceres::CRSMatrix sparse;
     problem_.Evaluate(options, nullptr, nullptr, nullptr, &sparse);
     Eigen::MatrixXd J = Eigen::MatrixXd::Zero(sparse.num_rows, sparse.num_cols);
@@ -180,8 +209,6 @@ class Problem {
         J(row, sparse.cols[static_cast<std::size_t>(k)]) = sparse.values[static_cast<std::size_t>(k)];
     return J;
   }
-
-  static constexpr std::size_t least_apart = 8; // rows that show the zero of the load cell
 
  private:
   const std::vector<Samples>& samples_;
@@ -238,6 +265,19 @@ void weigh(Workshop& workshop, std::vector<Samples>& samples, const State& state
   }
 }
 
+/// Which rows are out of contact a first fit tells: those where the law has no force.
+void find_apart(Workshop& workshop, std::vector<Samples>& samples, const State& state) {
+  Numbers force;
+  for (std::size_t p = 0; p < samples.size(); ++p) {
+    auto& s = samples[p];
+    if (!workshop.predicted(s, state.theta.data(), s.contact_guess_m + state.contact[p] * s.radius_m, force))
+      continue;
+    const auto first = std::ranges::find_if(force, [](double F) { return F > 0; });
+    s.apart_before = static_cast<std::size_t>(first - force.begin());
+    s.apart_after = static_cast<std::size_t>(std::count(first, force.end(), 0.0));
+  }
+}
+
 /// Particles of one batch fit the law more or less well; each counts by how well it does.
 void level(Workshop& workshop, std::vector<Samples>& samples, const State& state) {
   for (std::size_t p = 0; p < samples.size(); ++p) {
@@ -247,7 +287,7 @@ void level(Workshop& workshop, std::vector<Samples>& samples, const State& state
       continue;
     double sum = 0;
     for (std::size_t i = 0; i < force.size(); ++i)
-      sum += std::pow((s.force_N[i] - state.baseline[p] * s.force_max_N - force[i]) / s.sigma_N[i], 2);
+      sum += std::pow((s.force_N[i] - (state.zero[p][0] + state.zero[p][1] * s.progress[i]) * s.force_max_N - force[i]) / s.sigma_N[i], 2);
     const double rms = std::sqrt(sum / static_cast<double>(force.size()));
     for (double& sigma : s.sigma_N) sigma *= std::max(rms, 1e-6);
   }
@@ -267,7 +307,7 @@ Solution search(const Task& task, std::vector<Samples> samples, const Numbers& g
     for (std::size_t k = 0; k < free; ++k) begins.back().push_back(c.inside(k, given_start[k]));
   }
   for (const auto& begin : begins) {
-    State begun{begin, Numbers(n, 0.0), Numbers(n, 0.0)};
+    State begun{begin, Numbers(n, 0.0), std::vector<std::array<double, 2>>(n, {0, 0})};
     State found = Problem(workshop, samples, std::move(begun)).solve();
     if (found.cost < state.cost) state = std::move(found);
   }
@@ -275,6 +315,7 @@ Solution search(const Task& task, std::vector<Samples> samples, const Numbers& g
     throw core::ConvergenceError("the law could not be fitted to these rows", 0, 100, 1);
   for (int again = 0; again < 2; ++again) {
     weigh(workshop, samples, state);
+    find_apart(workshop, samples, state);
     if (n > 1) level(workshop, samples, state);
     state = Problem(workshop, samples, state).solve();
   }
@@ -283,6 +324,10 @@ Solution search(const Task& task, std::vector<Samples> samples, const Numbers& g
 
   Solution solution;
   solution.converged = state.converged;
+  for (std::size_t p = 0; p < n; ++p) { // what was fitted once and is not shown after all
+    if (zero_parameters(samples[p]) < 2) state.zero[p][1] = 0;
+    if (zero_parameters(samples[p]) < 1) state.zero[p][0] = 0;
+  }
   Problem problem(workshop, samples, state);
   const Eigen::MatrixXd J = problem.jacobian();
   solution.reduced_chi_squared = 2 * state.cost / std::max(1.0, static_cast<double>(J.rows() - J.cols()));
@@ -322,8 +367,8 @@ Solution search(const Task& task, std::vector<Samples> samples, const Numbers& g
     Own own;
     own.contact_m = s.contact_guess_m + state.contact[p] * s.radius_m;
     own.contact_error_m = sd(static_cast<Eigen::Index>(free + p)) * s.radius_m;
-    own.baseline_fitted = s.apart >= Problem::least_apart;
-    own.baseline_N = own.baseline_fitted ? state.baseline[p] * s.force_max_N : 0;
+    own.baseline_fitted = zero_parameters(s) > 0, own.drift_fitted = zero_parameters(s) > 1;
+    own.baseline_N = state.zero[p][0] * s.force_max_N, own.drift_N = state.zero[p][1] * s.force_max_N;
     workshop.predicted(s, state.theta.data(), own.contact_m, own.force_N);
     solution.own.push_back(std::move(own));
   }

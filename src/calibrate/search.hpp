@@ -14,9 +14,9 @@ namespace platen::calibrate {
 /// What is found for one particle.
 struct Own {
   double contact_m = 0, contact_error_m = 0; ///< travel
-  double baseline_N = 0;                     ///< 0 where no row shows it
-  bool baseline_fitted = false;
-  std::vector<double> force_N; ///< of the law at the samples, without the baseline
+  double baseline_N = 0, drift_N = 0; ///< zero of the load cell at the first row, and what it gains to the last
+  bool baseline_fitted = false, drift_fitted = false; ///< false, and 0, where no row out of contact shows it
+  std::vector<double> force_N; ///< of the law at the samples, without the zero of the load cell
 };
 
 struct Solution {
@@ -34,6 +34,8 @@ struct Task {
   std::vector<FreeParameter> free;
   double curve_stress_Pa = 0; ///< S of the free parameters
   bool scales = true;         ///< one law serves all radii
+  std::string strength;       ///< key of the law's strength
+  double ratio_most = 1e6;    ///< E over strength beyond which no law is made
 };
 
 /// Weighted by what the noise of force and travel lets expect: the stiff rows of an unloading say little of

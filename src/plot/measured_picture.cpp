@@ -51,7 +51,7 @@ void measured_picture(const std::vector<measure::Measurement>& measurements, con
     const double area = std::numbers::pi * s.radius_m * s.radius_m * 1e6; // MPa
     for (std::size_t i = 0; i < s.force_N.size(); ++i) {
       const double x = s.delta(i, p.contact_m) / s.radius_m;
-      points += fmt::format("{:.7g} {:.7g}\n", x, (s.force_N[i] - p.baseline_N) / area);
+      points += fmt::format("{:.7g} {:.7g}\n", x, p.measured_N(i) / area);
       law += fmt::format("{:.7g} {:.7g}\n", x, p.force_N[i] / area);
     }
     points += "\n", law += "\n";
