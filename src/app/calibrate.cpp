@@ -100,7 +100,7 @@ void add_calibrate(Command program) {
                   "files of instruments, or of platen import; all particles of all files")
       .required();
   command
-      .add_option("--law", o->law,
+      .add_option("--law,--model", o->law,
                   fmt::format("law to calibrate: {}", fmt::join(calibrate::calibrated_laws(), ", ")))
       .required()
       .type_name("NAME");

@@ -2,6 +2,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/toml.hpp"
+#include "fit/doubt.hpp"
 #include "material/card.hpp"
 #include "material/deck.hpp"
 
@@ -17,7 +18,26 @@ namespace {
 struct Options {
   std::string deck, card, units, material;
   std::optional<double> rho_r0;
+  bool force = false;
 };
+
+/// Numbers of no material on this planet are those of other units.
+std::vector<fit::Doubt> doubts_about(const material::Material& m, const material::DeckMaterial& deck) {
+  std::vector<fit::Doubt> doubts;
+  const double E = material::initial_E(m.model), sigma = material::reference_stress(m.model);
+  const auto doubt = [&](const std::string& what) {
+    doubts.push_back({true, fmt::format("{}; are these the units? {}", what, material::which_units(deck))});
+  };
+  constexpr double E_least = 1e4, E_most = 1.3e12;           // gels; diamond
+  constexpr double density_least = 20, density_most = 2.3e4; // foams; osmium
+  if (E < E_least || E > E_most) doubt(fmt::format("E = {:.3g} Pa is that of no material", E));
+  else if (m.density && (*m.density < density_least || *m.density > density_most))
+    doubt(fmt::format("a density of {:.3g} kg/m3 is that of no material", *m.density));
+  if (sigma > E)
+    doubts.push_back(
+        {true, fmt::format("{}: the strength, {:.3g} Pa, is above E = {:.3g} Pa", deck.file, sigma, E)});
+  return doubts;
+}
 
 const material::DeckMaterial& chosen(const std::vector<material::DeckMaterial>& all, const Options& o) {
   std::vector<std::string> names;
@@ -40,10 +60,12 @@ void convert(const Options& o) {
   if (o.units.empty()) throw core::InvalidInput(material::which_units(deck));
   const auto& units = material::deck_units(o.units);
   const auto converted = material::convert(deck, units, o.rho_r0);
+  const auto doubts = fit::pass(doubts_about(converted.material, deck), o.force);
   std::string source = fmt::format("converted from {}, units {}",
                                    std::filesystem::path(o.deck).filename().string(), units.words);
   if (!converted.left_over.empty())
     source += fmt::format("; without counterpart: {}", fmt::join(converted.left_over, "; "));
+  if (!doubts.empty()) source += fmt::format("; doubted: {}", fmt::join(doubts, "; "));
   const std::string text =
       fmt::format("{}\n[source]\ndefault = {}\n", card_text(converted.material), core::in_quotes(source));
   (void)material::read_card(core::parse_toml(text, o.deck)); // what the model does not admit is said now
@@ -69,6 +91,7 @@ void add_convert(Command program) {
   command
       .add_option("--rho_r0", o->rho_r0, "*CAP PLASTICITY: relative density at volumetric plastic strain 0")
       .type_name("NUMBER");
+  command.add_flag("--force", o->force, "write the card though its numbers are doubted");
   command.footer(
       "Reads *ELASTIC, *DENSITY, *PLASTIC, *DRUCKER PRAGER, *CAP PLASTICITY and *MOHR COULOMB with their\n"
       "hardening; lists whatever else the material says.\n"

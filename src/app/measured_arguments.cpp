@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/number.hpp"
+#include "measure/dialect.hpp"
 
 #include <fmt/format.h>
 
@@ -25,7 +26,9 @@ void add_measured_arguments(Command command, MeasuredArguments& a, bool doubting
                   "travel: between the platens, 2 delta (default); contact: of one platen, delta")
       .type_name("WAY");
   auto radius =
-      command.add_option("--radius_m", a.radius_m, "radius of the particle, where the file says none")
+      command
+          .add_option("--radius_m", a.radius_m,
+                      "radius of the particle, where the file says none; one for each file with commas")
           .type_name("NUMBER");
   command.add_option("--diameter_m", a.diameter_m, "its diameter instead")
       .type_name("NUMBER")
@@ -38,18 +41,30 @@ void add_measured_arguments(Command command, MeasuredArguments& a, bool doubting
       .excludes(compliance);
 }
 
+std::optional<double> diameter_of(const MeasuredArguments& a, std::size_t k, std::size_t files) {
+  const bool radius = !a.radius_m.empty();
+  const std::string& list = radius ? a.radius_m : a.diameter_m;
+  const std::string_view option = radius ? "--radius_m" : "--diameter_m";
+  if (list.empty()) return {};
+  std::vector<std::string_view> parts;
+  measure::split(list, {',', false}, parts);
+  if (parts.size() != 1 && parts.size() != files)
+    throw InvalidInput(fmt::format("{} {}: {} numbers for {} files; give one for all, or one for each",
+                                   option, list, parts.size(), files));
+  const auto value = core::number_from(parts.size() == 1 ? parts.front() : parts[k]);
+  if (!value || !(*value > 0) || !std::isfinite(*value))
+    throw InvalidInput(fmt::format("{} {}: it must be a number > 0", option, list));
+  return radius ? 2 * *value : *value;
+}
+
 std::vector<measure::Measurement> measurements_of(const std::vector<std::string>& files,
                                                   const MeasuredArguments& a) {
-  measure::ReadOptions options = a.read;
-  const auto positive = [](double value, std::string_view option) {
-    if (!(value > 0) || !std::isfinite(value))
-      throw InvalidInput(fmt::format("{} {}: it must be a number > 0", option, core::number_text(value)));
-    return value;
-  };
-  if (a.radius_m) options.diameter_m = 2 * positive(*a.radius_m, "--radius_m");
-  if (a.diameter_m) options.diameter_m = positive(*a.diameter_m, "--diameter_m");
   std::vector<measure::Measurement> all;
-  for (const auto& file : files) all.push_back(measure::read_measurement(file, options));
+  for (std::size_t k = 0; k < files.size(); ++k) {
+    measure::ReadOptions options = a.read;
+    options.diameter_m = diameter_of(a, k, files.size());
+    all.push_back(measure::read_measurement(files[k], options));
+  }
   return all;
 }
 

@@ -13,7 +13,8 @@ namespace platen::app {
 
 struct MeasuredArguments {
   measure::ReadOptions read;
-  std::optional<double> radius_m, diameter_m, compliance_m_per_N;
+  std::string radius_m, diameter_m; ///< one number, or one for each file with commas between
+  std::optional<double> compliance_m_per_N;
   std::string empty_machine;
   std::optional<Option> force_option;
 
@@ -26,6 +27,9 @@ struct MeasuredArguments {
 /// --empty-machine
 /// `doubting`: the command has doubts, which --force alone overrules.
 void add_measured_arguments(Command, MeasuredArguments&, bool doubting);
+
+/// The diameter that the options give the k-th of `files` files; nothing where they give none. InvalidInput.
+std::optional<double> diameter_of(const MeasuredArguments&, std::size_t k, std::size_t files);
 
 /// The files as they were written; InvalidInput for what they, or the options, do not say.
 std::vector<measure::Measurement> measurements_of(const std::vector<std::string>& files,

@@ -73,8 +73,8 @@ InputCurve curve_of(const std::string& file, const MeasuredArguments& a) {
   if (!std::filesystem::exists(file)) throw InvalidInput(fmt::format("{}: there is no such file", file));
   InputCurve input;
   if (a.read.force.empty() && a.read.displacement.empty() && is_own(core::read_file(file))) {
-    const auto radius = a.diameter_m ? std::optional(*a.diameter_m / 2) : a.radius_m;
-    input.curve = press::read_curve(file, radius);
+    const auto diameter = diameter_of(a, 0, 1);
+    input.curve = press::read_curve(file, diameter ? std::optional(*diameter / 2) : std::nullopt);
     input.measured = input.curve.experiment.empty();
     return input;
   }

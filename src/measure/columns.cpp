@@ -55,6 +55,9 @@ struct Choice {
   /// By what stands in the header: all of it, the name, or a part that only one column has.
   std::size_t named(const std::string& name, std::string_view option) const {
     std::vector<std::size_t> found;
+    if (const auto number = name.starts_with('#') ? number_in(name.substr(1), Dialect{}) : std::nullopt)
+      if (const auto k = static_cast<std::size_t>(*number - 1); *number >= 1 && k < group.count)
+        return group.first + k;
     const std::string wanted = folded(name);
     for (auto k : all())
       if (at(k).heading.text == name || folded(at(k).heading.text) == wanted) found.push_back(k);
@@ -66,7 +69,8 @@ struct Choice {
         if (folded(at(k).heading.text).find(wanted) != std::string::npos) found.push_back(k);
     if (found.size() == 1) return found.front();
     throw InvalidInput(fmt::format("{}: {} {} is {}; there are {}", here(), option, core::in_quotes(name),
-                                   found.empty() ? "no column" : "more than one column", listed(all())));
+                                   found.empty() ? "no column" : "more than one column, #1 is the first",
+                                   listed(all())));
   }
 
   /// Columns whose words say the quantity, and whose unit does not say another.
@@ -107,7 +111,8 @@ struct Choice {
           fmt::format("{}: no column is known as a {}; there are {}; name it with {} COLUMN:UNIT", here(),
                       word, listed(all()), option));
     if (found.size() > 1)
-      throw InvalidInput(fmt::format("{}: {} columns could be the {}: {}; name the one to take{} with {}",
+      throw InvalidInput(fmt::format("{}: {} columns could be the {}: {}; name the one to take{} with {}, by "
+                                     "its words or as #1, #2, ...",
                                      here(), found.size(), word, listed(found),
                                      quantity == Quantity::force
                                          ? ""

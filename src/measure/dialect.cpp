@@ -26,7 +26,7 @@ std::optional<double> plain_number(const char* begin, const char* end) {
 /// Digits in groups of three before the decimal sign, as in 12.345.678.
 bool grouped(std::string_view whole, char sign) {
   const auto first = whole.find(sign);
-  if (first == 0 || first > 3 || first == whole.npos) return false;
+  if (first == 0 || first > 3 || first == whole.npos || whole.front() == '0') return false;
   std::size_t digits = 3;
   for (char c : whole.substr(first)) {
     if (c == sign) {
@@ -143,7 +143,7 @@ Dialect dialect_of(const std::vector<std::string_view>& lines) {
           if (number_in(cell, dialect)) ++numbers;
           else words += !is_no_reading(cell);
         }
-        score += numbers >= 2 && words <= 1;
+        if (numbers >= 2 && words <= 1) score += words == 0 ? 2 : 1;
       }
       if (score > most) most = score, best = dialect;
     }

@@ -115,14 +115,23 @@ class Reader {
       names.pop_back();
     for (std::size_t k = 0; k < names.size(); ++k) {
       Column column{heading_of(names[k]), {}, {}};
-      if (column.heading.unit.empty() && k < units.cells.size())
-        column.heading.unit = without_brackets(units.cells[k]);
+      if (k < units.cells.size()) take_unit(column.heading, without_brackets(units.cells[k]), units.line);
       table.columns.push_back(std::move(column));
     }
     table.remarks = std::move(pending_);
     pending_.clear();
     sheet_.tables.push_back(std::move(table));
     open_ = true;
+  }
+
+  void take_unit(Heading& heading, const std::string& unit, int line) const {
+    if (heading.unit.empty()) heading.unit = unit;
+    const auto one = unit_named(heading.unit), other = unit_named(unit);
+    if (one && other && (one->measures != other->measures || one->in_SI != other->in_SI))
+      throw InvalidInput(
+          fmt::format("{}, line {}, column {}: the header says {}, the row of units {}; one of them "
+                      "is wrong",
+                      sheet_.file, line, core::in_quotes(heading.text), heading.unit, unit));
   }
 
   /// Between blanks, names of several words come apart: "Load (N)   Travel (mm)".

@@ -234,17 +234,18 @@ class Importer {
   }
 
   void say_found() {
-    const auto& s = specimens_.front();
-    say_once(fmt::format("force: column {} in {}{}", core::in_quotes(s.force_column), s.force_unit.name,
-                         s.force_sign < 0 ? ", sign turned" : ""));
-    say_once(fmt::format("displacement: column {} in {}{}, taken as {}", core::in_quotes(s.travel_column),
-                         s.travel_unit.name, s.travel_sign < 0 ? ", sign turned" : "",
-                         s.contact_overlap ? "that of one platen, delta"
-                                           : "the way between the platens, 2 delta"));
-    const bool grams = s.force_unit.name == "g" || s.force_unit.name == "kg" || s.force_unit.name == "p";
-    if (grams)
-      say_once(fmt::format("{} are forces: 1 {} = {} N", s.force_unit.name == "kg" ? "kilograms" : "grams",
-                           s.force_unit.name, core::number_text(s.force_unit.in_SI)));
+    for (const auto& s : specimens_) {
+      say_once(fmt::format("force: column {} in {}{}", core::in_quotes(s.force_column), s.force_unit.name,
+                           s.force_sign < 0 ? ", sign turned" : ""));
+      say_once(fmt::format("displacement: column {} in {}{}, taken as {}", core::in_quotes(s.travel_column),
+                           s.travel_unit.name, s.travel_sign < 0 ? ", sign turned" : "",
+                           s.contact_overlap ? "that of one platen, delta"
+                                             : "the way between the platens, 2 delta"));
+      const auto& unit = s.force_unit.name;
+      if (unit == "g" || unit == "kg" || unit == "p")
+        say_once(fmt::format("{} are forces: 1 {} = {} N", unit == "kg" ? "kilograms" : "grams", unit,
+                             core::number_text(s.force_unit.in_SI)));
+    }
   }
 
   const Sheet& sheet_;
