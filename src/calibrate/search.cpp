@@ -287,7 +287,10 @@ void level(Workshop& workshop, std::vector<Samples>& samples, const State& state
       continue;
     double sum = 0;
     for (std::size_t i = 0; i < force.size(); ++i)
-      sum += std::pow((s.force_N[i] - (state.zero[p][0] + state.zero[p][1] * s.progress[i]) * s.force_max_N - force[i]) / s.sigma_N[i], 2);
+      sum += std::pow(
+          (s.force_N[i] - (state.zero[p][0] + state.zero[p][1] * s.progress[i]) * s.force_max_N - force[i]) /
+              s.sigma_N[i],
+          2);
     const double rms = std::sqrt(sum / static_cast<double>(force.size()));
     for (double& sigma : s.sigma_N) sigma *= std::max(rms, 1e-6);
   }
@@ -352,7 +355,15 @@ Solution search(const Task& task, std::vector<Samples> samples, const Numbers& g
     const double low = c.inside(k, task.free[k].low * c.unit(k)),
                  high = c.inside(k, task.free[k].high * c.unit(k));
     const double near = on_bound_share * (high - low);
-    solution.on_bound.push_back(theta < low + near || theta > high - near);
+    // The law may end before the bound, as agarwal does where E is little above the strength.
+    bool ends = false;
+    for (const double step : {-near, near}) {
+      auto beside = state.theta;
+      beside[k] += step;
+      ends = ends || !workshop.law(beside.data(), workshop.made_for(samples.front()));
+    }
+    if (ends) solution.errors.back() = std::numeric_limits<double>::infinity();
+    solution.on_bound.push_back(ends || theta < low + near || theta > high - near);
     solution.without_effect.push_back(!(length[column] > 1e-9 * longest));
   }
   solution.correlations.assign(free, Numbers(free, 0.0));
