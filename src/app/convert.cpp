@@ -52,9 +52,32 @@ const material::DeckMaterial& chosen(const std::vector<material::DeckMaterial>& 
           : fmt::format("--material {}: {} has {}", o.material, o.deck, fmt::join(names, ", ")));
 }
 
+/// What was written, and on standard output what could not be.
+void write(const Options& o, const std::string& text, const std::vector<std::string>& said,
+           const std::vector<std::string>& left_over) {
+  if (o.card.empty()) {
+    fmt::print("{}", text);
+    return;
+  }
+  core::write_file(o.card, text);
+  for (const auto& sentence : said) fmt::print("{}\n", sentence);
+  if (!left_over.empty()) fmt::print("without counterpart there:\n");
+  for (const auto& line : left_over) fmt::print("  {}\n", line);
+}
+
+void write_deck(const Options& o) {
+  const auto card = material::read_card(o.deck);
+  if (o.units.empty()) throw core::InvalidInput("in which units shall it be? Give --units, as mm-tonne-MPa");
+  auto deck = material::deck_of(card.material, material::deck_units(o.units));
+  std::string remarks;
+  for (const auto& line : deck.left_over) remarks += fmt::format("** without counterpart: {}\n", line);
+  write(o, deck.text + remarks, {}, deck.left_over);
+}
+
 void convert(const Options& o) {
-  if (!std::filesystem::exists(o.deck))
-    throw core::InvalidInput(fmt::format("{}: there is no such file", o.deck));
+  const bool named = !std::filesystem::exists(o.deck);
+  if (o.deck.ends_with(".toml") || (named && !o.deck.ends_with(".inp"))) return write_deck(o);
+  if (named) throw core::InvalidInput(fmt::format("{}: there is no such file", o.deck));
   const auto decks = material::read_deck(core::read_file(o.deck), o.deck);
   const auto& deck = chosen(decks, o);
   if (o.units.empty()) throw core::InvalidInput(material::which_units(deck));
@@ -69,22 +92,17 @@ void convert(const Options& o) {
   const std::string text =
       fmt::format("{}\n[source]\ndefault = {}\n", card_text(converted.material), core::in_quotes(source));
   (void)material::read_card(core::parse_toml(text, o.deck)); // what the model does not admit is said now
-  if (o.card.empty()) fmt::print("{}", text);
-  else core::write_file(o.card, text);
-  std::string words;
-  for (const auto& sentence : converted.said) words += sentence + "\n";
-  if (!converted.left_over.empty()) words += "without counterpart here:\n";
-  for (const auto& line : converted.left_over) words += fmt::format("  {}\n", line);
-  if (!o.card.empty()) fmt::print("{}", words);
+  write(o, text, converted.said, converted.left_over);
 }
 
 } // namespace
 
 void add_convert(Command program) {
-  auto command = program.add_subcommand("convert", "a material card from an Abaqus input file");
+  auto command =
+      program.add_subcommand("convert", "a material card from an Abaqus input file, or the other way round");
   auto o = std::make_shared<Options>();
-  command.add_option("DECK.inp", o->deck, "input file with a *MATERIAL").required();
-  command.add_option("-o", o->card, "write the material card here").type_name("MATERIAL.toml");
+  command.add_option("DECK.inp", o->deck, "input file with a *MATERIAL; or a material card").required();
+  command.add_option("-o", o->card, "write the card, or the deck, here").type_name("MATERIAL.toml");
   command.add_option("--units", o->units, "si, mm-tonne-MPa, mm-kg-GPa, m-tonne-kPa or in-lbf-psi")
       .type_name("SYSTEM");
   command.add_option("--material", o->material, "which one, where there are several").type_name("NAME");
@@ -95,7 +113,8 @@ void add_convert(Command program) {
   command.footer(
       "Reads *ELASTIC, *DENSITY, *PLASTIC, *DRUCKER PRAGER, *CAP PLASTICITY and *MOHR COULOMB with their\n"
       "hardening; lists whatever else the material says.\n"
-      "Example: platen convert tablet.inp --units mm-tonne-MPa -o tablet.toml");
+      "Example: platen convert tablet.inp --units mm-tonne-MPa -o tablet.toml\n"
+      "         platen convert von-mises-100 --units mm-tonne-MPa -o metal.inp");
   command.callback([o] { convert(*o); });
 }
 

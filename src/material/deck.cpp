@@ -31,12 +31,16 @@ std::string keyword_text(std::string_view text) {
   return result;
 }
 
+/// Commas part cells, but not inside quotes.
 std::vector<std::string_view> cells_of(std::string_view line) {
   std::vector<std::string_view> cells;
-  for (std::size_t start = 0; start <= line.size();) {
-    const auto comma = std::min(line.find(',', start), line.size());
-    cells.push_back(trimmed(line.substr(start, comma - start)));
-    start = comma + 1;
+  bool quoted = false;
+  std::size_t start = 0;
+  for (std::size_t i = 0; i <= line.size(); ++i) {
+    if (i < line.size() && line[i] == '"') quoted = !quoted;
+    if (i < line.size() && (line[i] != ',' || quoted)) continue;
+    cells.push_back(trimmed(line.substr(start, i - start)));
+    start = i + 1;
   }
   if (cells.size() > 1 && cells.back().empty()) cells.pop_back(); // a comma at the end
   return cells;

@@ -51,6 +51,14 @@ struct Converted {
 /// file and line.
 Converted convert(const DeckMaterial&, const DeckUnits&, std::optional<double> rho_r0 = {});
 
+struct DeckText {
+  std::string text;
+  std::vector<std::string> left_over; ///< of the card, without counterpart in Abaqus
+};
+
+/// The material as a section of an input file. InvalidInput for vmdc, which Abaqus has not.
+DeckText deck_of(const Material&, const DeckUnits&);
+
 /// The sentence that asks for the units, with what each system would make of the deck.
 std::string which_units(const DeckMaterial&);
 

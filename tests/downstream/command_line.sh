@@ -314,6 +314,8 @@ answers 2 'give them with --units' "$platen" convert deck.inp
 answers 2 'platen convert deck.inp' "$platen" press deck.inp -o out
 answers 0 '*DEPVAR' "$platen" convert deck.inp --units mm-tonne-MPa -o deck.toml
 answers 0 'von-mises' "$platen" materials deck.toml
+answers 0 '*Plastic' "$platen" convert deck.toml --units si
+answers 2 'no von Mises Double Cap' "$platen" convert base-case --units si
 
 find . -name '.*.*' -type f | grep -q . && { failures=$((failures + 1)); echo 'FAILED: temporary files were left'; }
 

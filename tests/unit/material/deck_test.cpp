@@ -31,6 +31,10 @@ TEST(Deck, KeywordsInAnyCaseOverSeveralLinesWithRemarks) {
   EXPECT_DOUBLE_EQ(std::get<Elastic>(c.material.model).E, 2.1e11);
 }
 
+TEST(Deck, ANameInQuotesKeepsItsCommas) {
+  EXPECT_EQ(read_deck("*Material, name=\"lead, 99 %\"\n*Elastic\n1e9,0.3\n", "a.inp").front().name, "lead, 99 %");
+}
+
 TEST(Deck, AngleInRadiansIsRefusedWithTheAngleItWouldBe) {
   const auto why = refusal(
       "*MATERIAL\n*ELASTIC\n1e9,0.2\n*DRUCKER PRAGER\n0.7714,1,0.2\n*DRUCKER PRAGER HARDENING\n1e6,0\n");

@@ -1,9 +1,12 @@
 // Material sections of Abaqus input files with known counterparts (tests/data/measured/README.md).
 
 #include "core/file.hpp"
+#include "material/card.hpp"
 #include "material/deck.hpp"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace {
 
@@ -83,6 +86,24 @@ TEST(DeckCases, MohrCoulombWithACutOff) {
   EXPECT_DOUBLE_EQ(m.E, 12.5e9);
   EXPECT_DOUBLE_EQ(m.nu, 0.24);
   EXPECT_TRUE(lists(c, "flow potential"));
+}
+
+TEST(DeckCases, ThereAndBackGivesTheSameMaterial) {
+  for (const auto& [file, units] :
+       {std::pair{"s11_excipient_cap.inp", "mm-tonne-MPa"}, std::pair{"s12_rock_dp_si.inp", "si"},
+        std::pair{"s13_lead_plastic.inp", "mm-tonne-MPa"},
+        std::pair{"s14_sandstone_mc.inp", "mm-tonne-MPa"}}) {
+    const auto there = converted(file, units).material;
+    for (const auto& other : deck_units()) {
+      const auto text = deck_of(there, other).text;
+      const auto back = convert(read_deck(text, "back").front(), other).material;
+      EXPECT_EQ(back.name, there.name);
+      const auto a = parameters(there), b = parameters(back);
+      ASSERT_EQ(a.size(), b.size());
+      for (std::size_t i = 0; i < a.size(); ++i)
+        EXPECT_NEAR(b[i].value, a[i].value, 1e-4 * std::abs(a[i].value)) << file << " " << a[i].key;
+    }
+  }
 }
 
 } // namespace
