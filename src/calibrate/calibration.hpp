@@ -26,7 +26,7 @@ struct Particle {
   double delta_bar_max = 0;
   std::vector<double> values, errors; ///< of this particle alone
   double contact_m = 0, contact_error_m = 0;
-  std::string contact; ///< on the scale of the file
+  std::string contact;                ///< on the scale of the file
   double baseline_N = 0, drift_N = 0; ///< as Own
   bool baseline_fitted = false, drift_fitted = false;
   double R2 = 0, relative_l2 = 0; ///< of the pooled law
@@ -34,7 +34,9 @@ struct Particle {
   std::vector<double> force_N; ///< of the pooled law, at the samples
 
   /// Of a sample, without the zero of the load cell.
-  double measured_N(std::size_t i) const { return samples.force_N[i] - baseline_N - drift_N * samples.progress[i]; }
+  double measured_N(std::size_t i) const {
+    return samples.force_N[i] - baseline_N - drift_N * samples.progress[i];
+  }
 };
 
 struct Calibration {
@@ -57,5 +59,7 @@ Calibration calibrate(const std::vector<measure::Measurement>&, const Settings&)
 
 /// A few lines for people.
 std::string words_of(const Calibration&);
+/// "0.02 N, drifting by 0.001 N"
+std::string zero_words(const Particle&);
 
 } // namespace platen::calibrate

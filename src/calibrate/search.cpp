@@ -2,7 +2,6 @@
 
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
-#include "core/number.hpp"
 
 #include <Eigen/Dense>
 #include <ceres/ceres.h>
@@ -17,86 +16,6 @@ namespace platen::calibrate {
 namespace {
 
 using Numbers = std::vector<double>;
-
-/// Between what is searched and what the law is given.
-struct Coordinates {
-  const Task& task;
-
-  double unit(std::size_t k) const { return task.free[k].in_curve_stress ? task.curve_stress_Pa : 1; }
-  double inside(std::size_t k, double value) const {
-    return task.free[k].logarithmic ? std::log(value / unit(k)) : value;
-  }
-  double outside(std::size_t k, double theta) const {
-    return task.free[k].logarithmic ? unit(k) * std::exp(theta) : theta;
-  }
-  /// d(value)/d(theta)
-  double slope(std::size_t k, double theta) const { return task.free[k].logarithmic ? outside(k, theta) : 1; }
-};
-
-law::ParameterTexts texts_of(const Task& task, const double* theta, double radius_m) {
-  const Coordinates c{task};
-  law::ParameterTexts texts{{"radius_m", core::number_text(radius_m)}, {"against", "plane"}};
-  for (std::size_t k = 0; k < task.free.size(); ++k) { // differences at a bound must not step over it
-    const double value = std::clamp(c.outside(k, theta[k]) / c.unit(k), task.free[k].low, task.free[k].high);
-    texts[task.free[k].key] = core::number_text(value * c.unit(k));
-  }
-  return texts;
-}
-
-using Law = decltype(fit::make_law(std::declval<fit::LawCard>(), std::declval<law::ParameterTexts>()));
-
-/// Laws that were made: making one takes a hundred times as long as evaluating it, and the particles and
-/// derivatives ask for the same few again and again. Null where the law has no such material.
-class Workshop {
- public:
-  explicit Workshop(const Task& task) : task_(task) {}
-
-  double made_for(const Samples& s) const { return task_.scales ? 1.0 : s.radius_m; }
-
-  std::shared_ptr<const Law> law(const double* theta, double radius_m) {
-    Numbers key(theta, theta + task_.free.size());
-    key.push_back(radius_m);
-    for (const auto& [known, made] : made_)
-      if (known == key) return made;
-    std::shared_ptr<const Law> made;
-    const auto texts = texts_of(task_, theta, radius_m);
-    try {
-      if (!(ratio(texts) > task_.ratio_most))
-        made = std::make_shared<const Law>(fit::make_law(task_.card, texts));
-    } catch (const core::InvalidInput&) {}
-    constexpr std::size_t kept = 64;
-    if (made_.size() < kept) made_.emplace_back(std::move(key), made);
-    else made_[next_++ % kept] = {std::move(key), made};
-    return made;
-  }
-
-  bool predicted(const Samples& s, const double* theta, double contact_m, Numbers& force,
-                 Numbers* stiffness = nullptr) {
-    const auto made = law(theta, made_for(s));
-    if (!made) return false;
-    predict(*made, made_for(s), s, contact_m, force, stiffness);
-    return std::ranges::all_of(force, [](double F) { return std::isfinite(F); });
-  }
-
-  const Task& task() const { return task_; }
-
- private:
-  /// E over strength; 0 where the law has no such two.
-  double ratio(const law::ParameterTexts& texts) const {
-    const auto value = [&](const std::string& key) {
-      const auto found = texts.find(key);
-      if (found != texts.end()) return core::number_from(found->second).value_or(0);
-      const auto given = task_.card.parameters.find(key);
-      return given == task_.card.parameters.end() ? 0 : core::number_from(given->second).value_or(0);
-    };
-    const double strength = value(task_.strength);
-    return strength > 0 ? value("E_Pa") / strength : 0;
-  }
-
-  const Task& task_;
-  std::vector<std::pair<Numbers, std::shared_ptr<const Law>>> made_;
-  std::size_t next_ = 0;
-};
 
 /// What of the zero of the load cell is fitted: nothing, its value, its value and a drift.
 constexpr std::size_t least_apart = 8; // rows out of contact that show it

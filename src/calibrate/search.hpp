@@ -2,9 +2,7 @@
 // The least squares behind a calibration: parameters of the law that all particles share, and of each
 // particle its contact point and the zero of its load cell.
 
-#include "calibrate/free_parameters.hpp"
-#include "calibrate/samples.hpp"
-#include "fit/law_card.hpp"
+#include "calibrate/workshop.hpp"
 
 #include <string>
 #include <vector>
@@ -14,7 +12,8 @@ namespace platen::calibrate {
 /// What is found for one particle.
 struct Own {
   double contact_m = 0, contact_error_m = 0; ///< travel
-  double baseline_N = 0, drift_N = 0; ///< zero of the load cell at the first row, and what it gains to the last
+  double baseline_N = 0,
+         drift_N = 0; ///< zero of the load cell at the first row, and what it gains to the last
   bool baseline_fitted = false, drift_fitted = false; ///< false, and 0, where no row out of contact shows it
   std::vector<double> force_N; ///< of the law at the samples, without the zero of the load cell
 };
@@ -26,16 +25,6 @@ struct Solution {
   std::vector<Own> own;
   double reduced_chi_squared = 0;
   bool converged = false;
-};
-
-/// What does not change during the search.
-struct Task {
-  fit::LawCard card; ///< law, variant and the parameters that are given
-  std::vector<FreeParameter> free;
-  double curve_stress_Pa = 0; ///< S of the free parameters
-  bool scales = true;         ///< one law serves all radii
-  std::string strength;       ///< key of the law's strength
-  double ratio_most = 1e6;    ///< E over strength beyond which no law is made
 };
 
 /// Weighted by what the noise of force and travel lets expect: the stiff rows of an unloading say little of

@@ -32,7 +32,8 @@ TEST(Deck, KeywordsInAnyCaseOverSeveralLinesWithRemarks) {
 }
 
 TEST(Deck, ANameInQuotesKeepsItsCommas) {
-  EXPECT_EQ(read_deck("*Material, name=\"lead, 99 %\"\n*Elastic\n1e9,0.3\n", "a.inp").front().name, "lead, 99 %");
+  EXPECT_EQ(read_deck("*Material, name=\"lead, 99 %\"\n*Elastic\n1e9,0.3\n", "a.inp").front().name,
+            "lead, 99 %");
 }
 
 TEST(Deck, AngleInRadiansIsRefusedWithTheAngleItWouldBe) {
