@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 namespace platen::app {
@@ -30,15 +31,39 @@ bool is_own(std::string_view text) {
   return false;
 }
 
+constexpr double drawn_together = 400; // points of a loading; more say nothing that their means do not
+
+/// Many rows become as many means as a fit needs: the time of a fit grows with their square.
+void average(press::Curve& curve) {
+  const auto& rows = curve.points;
+  if (static_cast<double>(rows.size()) < 2 * drawn_together) return;
+  double largest = 0;
+  for (const auto& row : rows) largest = std::max(largest, row.delta_m);
+  std::vector<press::CurvePoint> means;
+  for (std::size_t i = 0; i < rows.size();) {
+    auto mean = rows[i];
+    std::size_t end = i + 1;
+    for (; end < rows.size() && rows[end].branch_id == mean.branch_id && rows[end].branch == mean.branch &&
+           std::abs(rows[end].delta_m - rows[i].delta_m) < largest / drawn_together;
+         ++end)
+      mean.delta_m += rows[end].delta_m, mean.force_N += rows[end].force_N;
+    mean.delta_m /= static_cast<double>(end - i), mean.force_N /= static_cast<double>(end - i);
+    mean.delta_bar = mean.delta_m / curve.radius_m;
+    means.push_back(mean);
+    i = end;
+  }
+  curve.points = std::move(means);
+  if (curve.sigma_ref_Pa > 0) press::set_reference_stress(curve, curve.sigma_ref_Pa);
+}
+
 /// Rows of one stage after another, averaged so that overlap grows or falls from point to point.
 void add_points(press::Curve& curve, const measure::Specimen& s, const measure::Stages& stages,
                 const measure::Machine& machine) {
-  constexpr double points = 400; // of loading; more say nothing that their means do not
   std::vector<double> delta;
   for (std::size_t i = 0; i < s.travel_m.size(); ++i)
     delta.push_back(s.per_travel() * (s.travel_m[i] - machine.travel(s.force_N[i] - stages.baseline_N) -
                                       stages.contact_travel_m));
-  const double step = *std::ranges::max_element(delta) / points;
+  const double step = *std::ranges::max_element(delta) / drawn_together;
   double largest = 0;
   int branch = 0;
   for (std::size_t i = 0; i < delta.size();) {
@@ -76,6 +101,7 @@ InputCurve curve_of(const std::string& file, const MeasuredArguments& a) {
     const auto diameter = diameter_of(a, 0, 1);
     input.curve = press::read_curve(file, diameter ? std::optional(*diameter / 2) : std::nullopt);
     input.measured = input.curve.experiment.empty();
+    if (input.measured) average(input.curve);
     return input;
   }
   const auto m = measurements_of({file}, a).front();
