@@ -72,7 +72,7 @@ class Problem {
     numeric.relative_step_size = 1e-5; // the tables of a law are smooth to 1e-6 or so
     for (std::size_t p = 0; p < samples.size(); ++p) {
       const std::size_t zeros = zero_parameters(samples[p]);
-      auto* cost = new ceres::DynamicNumericDiffCostFunction<Residuals, ceres::CENTRAL>(
+      auto* cost = new ceres::DynamicNumericDiffCostFunction<Residuals, ceres::FORWARD>(
           new Residuals{&workshop, &samples[p], zeros}, ceres::TAKE_OWNERSHIP, numeric);
       std::vector<double*> blocks = {state_.theta.data(), &state_.contact[p]};
       cost->AddParameterBlock(static_cast<int>(task.free.size()));
@@ -96,7 +96,7 @@ class Problem {
 
   State solve() {
     ceres::Solver::Options options;
-    options.linear_solver_type = ceres::DENSE_QR;
+    options.linear_solver_type = ceres::DENSE_SCHUR; // contact point and zero are each particle's own
     options.max_num_iterations = 100;
     options.function_tolerance = 1e-9;
     options.parameter_tolerance = 1e-8;
