@@ -16,7 +16,7 @@ struct Column {
   std::vector<double> values; ///< NaN where there is no number
   /// Cells that are no number, by row; empty ones not. At most `kept` of a column that is not asked for.
   std::vector<std::pair<std::size_t, std::string>> words;
-  static constexpr std::size_t kept = 1000;
+  static constexpr std::size_t kept = 1000000;
 };
 
 /// A line of text, as cells.

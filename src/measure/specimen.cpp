@@ -72,6 +72,7 @@ class Importer {
     bool fresh = side_by_side || begins_particle(origin);
     std::vector<int> left_out;
     double diameter = 0;
+    std::size_t before = 0; // the row used last
     for (std::size_t row = 0; row < table.lines.size(); ++row) {
       const double F = value(roles.force, row), x = value(roles.displacement, row);
       if (!std::isfinite(F) || !std::isfinite(x)) {
@@ -86,10 +87,11 @@ class Importer {
                                          table.lines[row],
                                          table.columns[roles.diameter->column].heading.text));
       }
-      const bool other = !names.empty() && row > 0 && names[row] != names[row - 1];
+      const bool other = !names.empty() && names[row] != names[before];
       if (fresh || other || (its != diameter && diameter > 0)) start(origin, row, names);
       if (roles.diameter && !specimens_.back().diameter_m) specimens_.back().diameter_m = its;
       diameter = its;
+      before = row;
       fresh = false;
       auto& s = specimens_.back();
       s.line.push_back(table.lines[row]);
@@ -164,8 +166,9 @@ class Importer {
     for (auto k : {roles.force.column, roles.displacement.column}) {
       const auto& column = table.columns[k];
       if (std::isfinite(column.values[row])) return false;
-      for (const auto& entry : column.words)
-        if (entry.first == row) return false;
+      const auto word =
+          std::ranges::lower_bound(column.words, row, {}, [](const auto& entry) { return entry.first; });
+      if (word != column.words.end() && word->first == row) return false;
     }
     return true;
   }

@@ -84,6 +84,18 @@ TEST(Specimen, TextInPlaceOfANumberIsNamedByLineAndColumn) {
   EXPECT_EQ(refusal(text), "f, line 7, column \"force_N\": \"oops\" is not a number");
 }
 
+TEST(Specimen, AnotherParticleBeginsAlsoWhereItsFirstRowHasNoReading) {
+  std::string text = "particle,diameter_mm,travel_mm,force_N\n";
+  for (const auto* name : {"A,1.0", "B,1.2"})
+    for (int i = 0; i < 20; ++i)
+      text += fmt::format("{},{},{}\n", name, 0.001 * i, i == 0 ? "OVER" : fmt::format("{}", 0.1 * i));
+  const auto m = read(text);
+  ASSERT_EQ(m.specimens.size(), 2u);
+  EXPECT_EQ(m.specimens[1].name, "B");
+  EXPECT_DOUBLE_EQ(m.specimens[1].diameter_m.value_or(0), 1.2e-3);
+  EXPECT_EQ(m.specimens[0].force_N.size(), 19u);
+}
+
 TEST(Specimen, ALongerRowIsRefused) {
   const auto text = rows("travel_mm,force_N\n", [](int i) { return i == 5 ? "0.005,1,7" : plain(i); });
   EXPECT_EQ(refusal(text), "f, line 7: cell 3 is \"7\", but the header in line 1 has 2 columns");
