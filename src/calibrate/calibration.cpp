@@ -184,11 +184,25 @@ class Calibrator {
     }
   }
 
+  /// The median of what each particle gave; empty where one gave nothing.
+  std::vector<double> middle() const {
+    std::vector<double> medians;
+    for (std::size_t k = 0; k < task_.free.size(); ++k) {
+      std::vector<double> each;
+      for (const auto& p : c_.particles) {
+        if (k >= p.values.size()) return {};
+        each.push_back(p.values[k]);
+      }
+      std::ranges::nth_element(each, each.begin() + static_cast<long>(each.size() / 2));
+      medians.push_back(each[each.size() / 2]);
+    }
+    return medians;
+  }
+
   void fit_all() {
     std::vector<Samples> samples;
     for (const auto& p : c_.particles) samples.push_back(p.samples);
-    const auto& first = c_.particles.front().values;
-    const Solution all = search(task_, samples, first);
+    const Solution all = search(task_, samples, middle());
     c_.values = all.values, c_.errors = all.errors, c_.correlations = all.correlations;
     double sum = 0, weight = 0;
     for (std::size_t i = 0; i < c_.particles.size(); ++i) {
