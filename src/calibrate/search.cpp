@@ -191,9 +191,12 @@ void find_apart(Workshop& workshop, std::vector<Samples>& samples, const State& 
     auto& s = samples[p];
     if (!workshop.predicted(s, state.theta.data(), s.contact_guess_m + state.contact[p] * s.radius_m, force))
       continue;
-    const auto first = std::ranges::find_if(force, [](double F) { return F > 0; });
-    s.apart_before = static_cast<std::size_t>(first - force.begin());
-    s.apart_after = static_cast<std::size_t>(std::count(first, force.end(), 0.0));
+    // Not where the machine does measure force: a poor first fit may think so.
+    const auto apart = [&](std::size_t i) { return !(force[i] > 0) && s.force_N[i] < 0.1 * s.force_max_N; };
+    s.apart_before = s.apart_after = 0;
+    while (s.apart_before < force.size() && apart(s.apart_before)) ++s.apart_before;
+    while (s.apart_after + s.apart_before < force.size() && apart(force.size() - 1 - s.apart_after))
+      ++s.apart_after;
   }
 }
 
