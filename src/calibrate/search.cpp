@@ -87,10 +87,14 @@ class Problem {
       problem_.SetParameterUpperBound(&state_.contact[p], 0, contact_reach);
     }
     for (std::size_t k = 0; k < task.free.size(); ++k) {
-      problem_.SetParameterLowerBound(state_.theta.data(), static_cast<int>(k),
-                                      c.inside(k, task.free[k].low * c.unit(k)));
-      problem_.SetParameterUpperBound(state_.theta.data(), static_cast<int>(k),
-                                      c.inside(k, task.free[k].high * c.unit(k)));
+      const double low = c.inside(k, task.free[k].low * c.unit(k)),
+                   high = c.inside(k, task.free[k].high * c.unit(k));
+      // Inside by so much that a difference taken at the bound is not cut to nothing, which would hold it
+      // there.
+      const double margin = on_bound_share * (high - low);
+      problem_.SetParameterLowerBound(state_.theta.data(), static_cast<int>(k), low + margin);
+      problem_.SetParameterUpperBound(state_.theta.data(), static_cast<int>(k), high - margin);
+      state_.theta[k] = std::clamp(state_.theta[k], low + margin, high - margin);
     }
   }
 
@@ -293,7 +297,7 @@ Solution search(const Task& task, std::vector<Samples> samples, const Numbers& g
       ends = ends || !workshop.law(beside.data(), workshop.made_for(samples.front()));
     }
     if (ends) solution.errors.back() = std::numeric_limits<double>::infinity();
-    solution.on_bound.push_back(ends || theta < low + near || theta > high - near);
+    solution.on_bound.push_back(ends || theta < low + 1.5 * near || theta > high - 1.5 * near);
     solution.without_effect.push_back(!(length[column] > 1e-9 * longest));
   }
   solution.correlations.assign(free, Numbers(free, 0.0));
