@@ -16,5 +16,8 @@ void add_eval(Command);
 void add_compare(Command);
 void add_export(Command);
 void add_study(Command);
+void add_import(Command);
+void add_calibrate(Command);
+void add_convert(Command);
 
 } // namespace platen::app

@@ -1,6 +1,7 @@
 #include "app/commands.hpp"
 #include "app/fit_report.hpp"
 #include "app/large_deformation_report.hpp"
+#include "app/measured_curve.hpp"
 #include "app/wang_report.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
@@ -11,6 +12,7 @@
 #include "press/curve_csv.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +25,8 @@ namespace {
 
 struct Options {
   std::string curve, law, variant = "published", card, picture;
-  std::optional<double> radius_m, sigma_ref_Pa, E_Pa, nu, phi_deg, sigma_c_Pa, inverse_m;
+  MeasuredArguments measured;
+  std::optional<double> sigma_ref_Pa, E_Pa, nu, phi_deg, sigma_c_Pa, inverse_m;
   bool json = false;
 };
 
@@ -85,17 +88,36 @@ void fit_large_deformation_to(const press::Curve& curve, const Options& o) {
   else report(fit::fit_shahin(curve), shahin_words, shahin_json);
 }
 
+/// The curve with what edmans-sinka makes of it.
+fit::Claim claim_of_fit(const press::Curve& curve, const FittedLaw& law, const Options& o) {
+  fit::Claim claim = claim_of(curve, o.curve);
+  const auto& f = law.loading;
+  claim.R2 = f.r_squared;
+  constexpr double least_a = 1.1e-3,
+                   most_a = 49.9; // the search's own ends, docs/explanation/edmans-sinka-fit.md
+  if (f.a < least_a || f.a > most_a) claim.on_bound.push_back("a");
+  // Perfectly plastic: F = 2 pi R delta 2.8 sigma_y, so k sigma_ref = 5.6 sigma_y.
+  claim.strength_Pa = f.k * curve.sigma_ref_Pa / 5.6;
+  return claim;
+}
+
 void fit_curve(const Options& o) {
   if (std::find(laws.begin(), laws.end(), o.law) == laws.end())
     throw core::InvalidInput(
         fmt::format("--law {}: there is no such law to fit{}", o.law, core::suggestion(o.law, laws)));
-  auto curve = press::read_curve(o.curve, o.radius_m);
+  auto [curve, measured, provenance] = curve_of(o.curve, o.measured);
+  // Grave faults first: what follows would blame something else.
+  auto flags = measured ? pass(doubts_about(claim_of(curve, o.curve)), o.measured.despite_doubts())
+                        : std::vector<std::string>{};
   const bool large_deformation = o.law == "agarwal" || o.law == "shahin";
   if (large_deformation && !(curve.sigma_ref_Pa > 0) && !o.sigma_ref_Pa)
     throw core::InvalidInput(
         fmt::format("{} says no reference stress, the {} that {} needs; give --sigma_ref_Pa", o.curve,
                     o.law == "agarwal" ? "yield stress" : "kappa", o.law));
   complete(curve, o);
+  if (measured && large_deformation) refuse_without_radius(curve, o.law, o.curve);
+  if (measured)
+    flags = pass(doubts_about(claim_of(curve, o.curve)), o.measured.despite_doubts()); // E is known now
   if (o.law == "wang") return fit_wang_to(curve, o);
   if (large_deformation) return fit_large_deformation_to(curve, o);
   if (!o.card.empty() && !(curve.E_Pa > 0))
@@ -108,17 +130,25 @@ void fit_curve(const Options& o) {
       throw core::InvalidInput(
           "--picture: there is none of the law pressed; platen compare draws law and curve");
     const fit::PressedFit pressed = fit::fit_pressed(curve, unloading_of(curve));
-    if (!o.card.empty())
-      core::write_file(o.card, text_of(fit::law_card(curve, pressed, core::read_file(o.curve))));
+    if (!o.card.empty()) {
+      auto card = fit::law_card(curve, pressed, core::read_file(o.curve));
+      for (const auto& remark : provenance) card.provenance.push_back(remark);
+      core::write_file(o.card, text_of(card));
+    }
     fmt::print("{}", o.json ? fit_json(curve, pressed) : fit_words(pressed));
     return;
   }
   const FittedLaw law = fit_law(curve, o.variant);
-  if (!o.card.empty())
-    core::write_file(o.card,
-                     text_of(fit::law_card(curve, law.loading, law.unloading, core::read_file(o.curve))));
+  if (measured) flags = pass(doubts_about(claim_of_fit(curve, law, o)), o.measured.despite_doubts());
+  if (!o.card.empty()) {
+    auto card = fit::law_card(curve, law.loading, law.unloading, core::read_file(o.curve));
+    for (const auto& remark : provenance) card.provenance.push_back(remark);
+    if (!flags.empty()) card.provenance.emplace_back("doubts", fmt::format("{}", fmt::join(flags, "; ")));
+    core::write_file(o.card, text_of(card));
+  }
   if (!o.picture.empty()) draw_fit(curve, law, o.picture);
   fmt::print("{}", o.json ? fit_json(curve, law) : fit_words(law));
+  for (const auto& flag : flags) core::say(fmt::format("doubted: {}\n", flag));
 }
 
 } // namespace
@@ -126,7 +156,10 @@ void fit_curve(const Options& o) {
 void add_fit(Command program) {
   auto command = program.add_subcommand("fit", "fit a contact law to a curve, pressed or measured");
   auto o = std::make_shared<Options>();
-  command.add_option("CURVE.csv", o->curve, "curve.csv of a press, or columns delta_m,force_N").required();
+  command
+      .add_option("CURVE.csv", o->curve,
+                  "curve.csv of a press, columns delta_m,force_N, or an instrument's file")
+      .required();
   command
       .add_option("--law", o->law,
                   "law to fit: pressed (the curve itself), edmans-sinka, wang, agarwal, shahin")
@@ -135,8 +168,7 @@ void add_fit(Command program) {
   command.add_option("--variant", o->variant, variant_help).type_name("V").capture_default_str();
   command.add_option("-o", o->card, "write the law card here").type_name("LAW.toml");
   command.add_option("--picture", o->picture, "draw curve, law and residual: .svg or .png").type_name("FILE");
-  command.add_option("--radius_m", o->radius_m, "radius of the particle, for a measured curve")
-      .type_name("NUMBER");
+  add_measured_arguments(command, o->measured, true);
   command.add_option("--sigma_ref_Pa", o->sigma_ref_Pa, "stress that makes forces dimensionless")
       .type_name("NUMBER");
   command.add_option("--E_Pa", o->E_Pa, "Young's modulus, for a measured curve").type_name("NUMBER");

@@ -75,7 +75,13 @@ Table parse_toml(std::string_view text, const std::string& file) {
 Table read_toml(const std::filesystem::path& path) {
   if (!std::filesystem::exists(path))
     throw InvalidInput(fmt::format("{}: there is no such file", path.string()));
-  return parse_toml(read_file(path), path.string());
+  const std::string text = read_file(path);
+  if (const auto first = text.find_first_not_of(" \t\r\n"); first != text.npos && text[first] == '*')
+    throw InvalidInput(
+        fmt::format("{}: this looks like an input file of Abaqus or CalculiX; make a card of it with "
+                    "platen convert {} --units SYSTEM -o MATERIAL.toml",
+                    path.string(), path.filename().string()));
+  return parse_toml(text, path.string());
 }
 
 const Table* section(const Table& card, std::string_view name) {

@@ -44,7 +44,7 @@ case_card() { # MATERIAL LINES...
 # --- help ---
 answers 0 'platen derive' "$platen"
 answers 0 'platen 0.' "$platen" --version
-for command in materials point press fit derive; do answers 0 'Example:' "$platen" $command --help; done
+for command in materials point press fit derive import calibrate convert; do answers 0 'Example:' "$platen" $command --help; done
 for command in design run status export submit merge check; do answers 0 'Example:' "$platen" study $command --help; done
 answers 0 '| `only` |' "$platen" study design --keys
 answers 2 'STUDY.toml is required' "$platen" study design
@@ -290,6 +290,44 @@ answers 3 'stopped at delta_bar' "$platen" derive material.toml -o unable --elem
 has unable/curve.csv
 grep -qF '"complete": false' unable/summary.json || { failures=$((failures + 1)); echo 'FAILED: summary.json calls it complete'; }
 has_not unable/law.toml
+
+# --- measurements ---
+{
+  printf '"Probendurchmesser";1,00;"mm"\r\n"Standardweg";"Standardkraft"\r\n"mm";"N"\r\n'
+  "$platen" eval shahin -p radius_m=0.5e-3 -p E_Pa=3e8 -p nu=0.3 -p kappa_Pa=5e6 -p inverse_m=0.5 --against plane \
+    --overlap 0:1e-4:60 2>/dev/null | awk -F, 'NR > 1 { printf "%.6f;%.6f\r\n", 2e3 * $1 + 0.02, $2 }' | tr . ,
+} >raw.csv
+answers 0 'd = 1 mm, 60 rows' "$platen" import raw.csv -o imported.csv
+answers 0 'semicolons, decimal comma' "$platen" import raw.csv --json
+answers 2 'E_Pa is seen in unloading alone' "$platen" calibrate raw.csv --law shahin --nu 0.3
+answers 2 'give it with --nu' "$platen" calibrate raw.csv --law shahin
+answers 2 'leave one out' "$platen" import raw.csv --radius_m 2e-3
+answers 2 "did you mean 'shahin'?" "$platen" calibrate raw.csv --law shain --nu 0.3
+for file in raw.csv imported.csv; do
+  answers 0 'contact at' "$platen" calibrate $file --law shahin --nu 0.3 --E_Pa 3e8 -o measured.toml
+  grep -q '^kappa_Pa = 5e6$' measured.toml || { failures=$((failures + 1)); echo "FAILED: $(cat measured.toml)"; }
+  grep -qF 'machine = "no compliance' measured.toml || { failures=$((failures + 1)); echo 'FAILED: no word of the machine'; }
+done
+answers 0 ',loading,' "$platen" eval measured.toml -p radius_m=1e-3 --overlap 1e-5:1e-4:3
+answers 2 'stiff as an elastic sphere' "$platen" calibrate raw.csv --law shahin --nu 0.3 --E_Pa 3e6 -o doubted.toml
+has_not doubted.toml
+answers 0 'doubted:' "$platen" calibrate raw.csv --law shahin --nu 0.3 --E_Pa 3e6 -o doubted.toml --force
+grep -q '^doubts = ' doubted.toml || { failures=$((failures + 1)); echo 'FAILED: the card has no doubts'; }
+answers 2 'it is travel' "$platen" fit imported.csv --law edmans-sinka --displacement-is delta
+answers 0 'relative L2' "$platen" fit raw.csv --law edmans-sinka
+awk 'BEGIN { print "delta_m,force_N"; for (i = 0; i <= 50; ++i) print i * 1e-5 "," i * 1e-1 }' >unit.csv
+answers 2 'with mm instead of m' "$platen" fit unit.csv --radius_m 1e-6 --law edmans-sinka
+answers 0 'doubted:' "$platen" fit unit.csv --radius_m 1e-6 --law edmans-sinka --force
+printf '\211PNG\r\n' >picture.csv
+answers 2 'a picture (PNG)' "$platen" import picture.csv
+answers 2 'there is no such file' "$platen" calibrate no-such.csv --law hertz --nu 0.3
+printf '*MATERIAL, NAME=M\n*ELASTIC\n2000, 0.3\n*PLASTIC\n20, 0\n*DEPVAR\n1\n' >deck.inp
+answers 2 'give them with --units' "$platen" convert deck.inp
+answers 2 'platen convert deck.inp' "$platen" press deck.inp -o out
+answers 0 '*DEPVAR' "$platen" convert deck.inp --units mm-tonne-MPa -o deck.toml
+answers 0 'von-mises' "$platen" materials deck.toml
+answers 0 '*Plastic' "$platen" convert deck.toml --units si
+answers 2 'no von Mises Double Cap' "$platen" convert base-case --units si
 
 find . -name '.*.*' -type f | grep -q . && { failures=$((failures + 1)); echo 'FAILED: temporary files were left'; }
 
