@@ -16,5 +16,6 @@ void add_eval(Command);
 void add_compare(Command);
 void add_export(Command);
 void add_study(Command);
+void add_predict(Command);
 
 } // namespace platen::app

@@ -61,6 +61,7 @@ int run(int argc, char** argv) {
   app::add_compare(command);
   app::add_export(command);
   app::add_study(command);
+  app::add_predict(command);
   refuse_unknown_command(program, argc, argv);
   if (!program.parse(argc, argv)) return bad_input;
   if (argc < 2) print_commands(program);

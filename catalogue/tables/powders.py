@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws design.csv, the granules of this pool (NumPy): design.py > design.csv
+"""Draws powders.csv, the granules of the pools powders and powders-coarse (NumPy): powders.py > powders.csv
 
 A granule is a powder pressed to a relative density rho_r0. The powders fill a box about those of Edmans & Sinka,
 Table 4, each range about a tenth longer at both ends; they are described at relative density 0.4, as there, and moved
@@ -69,7 +69,7 @@ while len(rows) < ROWS:
     cost[rows] = np.inf
     rows.append(int(np.argmin(cost)))
 table = granules(u[rows])
-print("# granules of powders like those of Edmans & Sinka, Table 4; values at rho_r0; drawn by design.py")
+print("# granules of powders like those of Edmans & Sinka, Table 4; values at rho_r0; drawn by powders.py")
 print(",".join(table))
 for i in range(ROWS):
     print(",".join(f"{table[n][i]:.5g}" for n in table))

@@ -1,0 +1,107 @@
+#pragma once
+// A surrogate: what a data pool says of materials between those that were pressed. Logarithms of force and contact
+// radius at the knots, and of alpha and beta of the unloadings, are reduced to a few principal components, and each of
+// these is a Gaussian process over the coordinates of the material.
+//
+// Where presses are dear, most are made on a coarse mesh (Kennedy & O'Hagan 2000): the first layer is of these, and a
+// second one of what the logarithms change from coarse to fine, in the materials that were pressed on both. It is small
+// and smooth, and few presses tell it.
+
+#include "surrogate/description.hpp"
+#include "surrogate/pool_data.hpp"
+#include "surrogate/process.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace platen::surrogate {
+
+/// Values that go together, as mean + sum_c (score_c) basis_c.
+struct Components {
+  std::vector<double> mean;
+  std::vector<std::vector<double>> basis;
+  std::vector<double> rest; ///< standard deviation of what the components leave out
+  std::vector<Process> processes;
+};
+
+/// One sum of components for each quantity.
+struct Layer {
+  Inputs inputs; ///< in [0, 1]
+  Components force, radius, unloading;
+};
+
+/// Relative errors of the pool's materials, each predicted without itself: of five in a hundred larger, and so on.
+struct Quantiles {
+  double median = 0, p95 = 0, worst = 0;
+};
+struct LeaveOneOut {
+  Quantiles force;    ///< relative L2 of F over the loading
+  Quantiles radius;   ///< likewise of a
+  Quantiles work;     ///< that an unloading gives back, of all unloadings
+  Quantiles residual; ///< overlap at separation, over that where it turns
+  double coverage = 0; ///< of the 90 % band: share of all points of the left-out curves that lie in it
+};
+
+/// A number that the pool's materials have: a range, or one value.
+struct Range {
+  std::string key;
+  double low = 0, high = 0;
+};
+
+struct Surrogate {
+  std::string pool, model;
+  int engine = 0;
+  int asked = 0; ///< runs of the study, finished or not
+  int fine = 0;  ///< materials pressed on the mesh that counts
+  std::vector<double> knots, unload_delta_bar;
+  std::vector<Range> ranges;
+  std::vector<double> low, high; ///< of each coordinate; those that do not vary are none of the inputs'
+  std::vector<std::string> runs; ///< of the first layer, "powders-17": pool, and number in its runs.csv
+  std::vector<std::vector<double>> numbers; ///< of each run, in the order of the ranges
+  std::vector<Layer> layers;
+  /// Half the width of the 90 % band of ln F over the standard deviation that the processes give: as the left-out
+  /// materials want it.
+  double band = 1.645;
+  /// Expected relative error of the curve (its relative L2 were it one standard deviation off) of the pool's materials
+  /// when left out: of nine in ten less, and the largest.
+  double usual = 0, most = 0;
+  LeaveOneOut left_out;
+};
+
+/// `coarse`: the same study on fewer elements, of which the fine runs are a part; null where there is none.
+/// Deterministic. InvalidInput where the two pools do not belong together.
+Surrogate fit_surrogate(const PoolData& fine, const PoolData* coarse = nullptr);
+
+/// What a surrogate says of a material that was pressed, beside the truth.
+struct Errors {
+  double force = 0, radius = 0;       ///< relative L2 over the loading
+  std::vector<double> work, residual; ///< of each unloading
+  std::vector<double> standardised;   ///< |ln F - ln F| over the standard deviation, at each knot
+  double expected = 0;
+};
+/// Of each of the fine materials, left out of all layers in turn: components, lengths and so on as they are (closed form).
+/// The pools must be the surrogate's.
+std::vector<Errors> leave_out(const Surrogate&, const PoolData& fine, const PoolData* coarse = nullptr);
+/// Of each material of a pool that the surrogate was not made of, unloaded from the same overlaps.
+std::vector<Errors> errors_beside(const Surrogate&, const PoolData&);
+LeaveOneOut summary_of(const std::vector<Errors>&, double band);
+
+struct Prediction {
+  std::vector<double> F_bar, a_bar; ///< at the knots
+  std::vector<double> alpha, beta;  ///< of the unloadings
+  std::vector<double> band; ///< at each knot, half the 90 % band of ln F
+  double expected = 0;      ///< relative error of the curve, as in Surrogate::usual
+};
+
+/// Of a material of the surrogate's model; whether it may be believed is not asked here.
+Prediction predict(const Surrogate&, const Description&);
+/// The input that stands for a material: coordinates over their ranges.
+std::vector<double> input_of(const Surrogate&, const std::vector<double>& coordinates);
+
+/// The file: text, one list a line.
+std::string text_of(const Surrogate&);
+/// InvalidInput for a file that is none, or of another version.
+Surrogate read_surrogate(const std::filesystem::path&);
+
+} // namespace platen::surrogate
