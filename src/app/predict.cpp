@@ -56,10 +56,14 @@ std::string words(const Options& o, const material::Material& material, const su
                                  s.runs.size(), s.pool, s.engine);
   text += fmt::format("  verdict        {}{}{}\n", name_of(a.verdict), a.reasons.empty() ? "" : ": ",
                       fmt::join(a.reasons, "; "));
-  text += fmt::format("  force          F/(pi R0^2 sigma_ref) = {:.4g} at delta/R0 = 0.1, {:.4g} at {:.4g}\n",
-                      at(answer, p.F_bar, 0.1), p.F_bar.back(), s.knots.back());
+  const double end = s.knots[a.knots - 1];
+  const auto row = [&](const std::vector<double>& values) { return std::pair{at(answer, values, 0.1), at(answer, values, end)}; };
+  const auto [F_early, F_end] = row(p.F_bar);
+  const auto [band_early, band_end] = row(p.band);
+  text += fmt::format("  force          F/(pi R0^2 sigma_ref) = {:.4g} at delta/R0 = 0.1, {:.4g} at {:.4g}\n", F_early,
+                      F_end, end);
   text += fmt::format("  90 % band      {:.2g} % at 0.1, {:.2g} % at {:.4g} to either side; curve expected to be {:.2g} % off\n",
-                      100 * at(answer, p.band, 0.1), 100 * p.band.back(), s.knots.back(), 100 * p.expected);
+                      100 * band_early, 100 * band_end, end, 100 * p.expected[a.knots - 1]);
   const char* title = "nearest        ";
   for (const auto& one : near) {
     text += fmt::format("  {}{}\n", title, surrogate::words(s, one));
@@ -76,7 +80,7 @@ std::string json_of(const material::Material& material, const surrogate::Answer&
   return nlohmann::ordered_json{{"platen", core::version},   {"material", material.name},
                                 {"pool", s.pool},            {"engine", s.engine},
                                 {"verdict", name_of(a.verdict)}, {"reasons", a.reasons},
-                                {"expected_error", p.expected}, {"nearest_runs", runs},
+                                {"expected_error", p.expected[a.knots - 1]}, {"delta_bar_end", s.knots[a.knots - 1]}, {"nearest_runs", runs},
                                 {"delta_bar", s.knots},      {"F_bar", p.F_bar},
                                 {"band_90", p.band},         {"a_bar", p.a_bar},
                                 {"unload_delta_bar", s.unload_delta_bar}, {"alpha", p.alpha},

@@ -14,6 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double certain = 0.03, usable = 0.1; ///< expected relative errors of a curve: inside, near the edge
+constexpr double least_reach = 0.1;            ///< delta/R0 to which a law near the edge must reach
+
 /// Metals were pressed at one Poisson's ratio; at others their curves over E/(1 - nu^2) differ by as much as
 /// docs/explanation/predict.md says, up to here.
 constexpr double metal_nu_most = 0.45;
@@ -62,14 +65,17 @@ Assessment assess(const Surrogate& s, const Description& d, const Prediction& p)
       note(a, Verdict::near_the_edge, fmt::format("nu = {:.4g}, where all were pressed with {:.4g}", value, low));
     else note(a, Verdict::outside, fmt::format("{} = {:.4g}, where all have {:.4g}", key, value, low));
   }
-  if (p.expected > s.most)
-    note(a, Verdict::outside,
-         fmt::format("its curve is expected to be {} off, that of no pressed material left out more than {}",
-                     per_cent(p.expected), per_cent(s.most)));
-  else if (p.expected > s.usual)
-    note(a, Verdict::near_the_edge,
-         fmt::format("its curve is expected to be {} off, those of nine in ten pressed materials left out less than {}",
-                     per_cent(p.expected), per_cent(s.usual)));
+  a.knots = s.knots.size();
+  if (p.expected.back() <= certain) return a;
+  const auto upto = std::find_if(p.expected.begin(), p.expected.end(), [](double e) { return e > usable; });
+  a.knots = static_cast<std::size_t>(upto - p.expected.begin());
+  const bool early = a.knots == 0 || s.knots[a.knots - 1] < least_reach;
+  std::string reason = fmt::format("the curve is expected to be {} off", per_cent(p.expected.back()));
+  if (early) a.knots = s.knots.size();
+  else if (a.knots < s.knots.size())
+    reason += fmt::format(", so the law ends at delta/R0 = {:.4g}, to where it is {}", s.knots[a.knots - 1],
+                          per_cent(p.expected[a.knots - 1]));
+  note(a, early ? Verdict::outside : Verdict::near_the_edge, std::move(reason));
   return a;
 }
 
@@ -106,7 +112,8 @@ Answer ask_catalogue(const Description& d) {
     if (s.model != d.model) continue;
     Prediction p = predict(s, d);
     Assessment a = assess(s, d, p);
-    if (best && std::pair(best->assessment.verdict, best->prediction.expected) <= std::pair(a.verdict, p.expected))
+    if (best && std::pair(best->assessment.verdict, best->prediction.expected.back()) <=
+                    std::pair(a.verdict, p.expected.back()))
       continue;
     best = Answer{std::move(s), std::move(p), std::move(a)};
   }

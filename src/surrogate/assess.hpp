@@ -14,11 +14,12 @@ std::string_view name_of(Verdict);
 struct Assessment {
   Verdict verdict = Verdict::inside;
   std::vector<std::string> reasons; ///< why it is not inside
+  std::size_t knots = 0;            ///< how many the law may have
 };
 
-/// Outside: a number beyond those of the pool, or other than the one that all of them have, or the curve less certain
-/// than that of any of the pool's materials when left out. Near the edge: less certain than nine in ten of those; and
-/// metals of another Poisson's ratio, which count by E/(1 - nu^2).
+/// Outside: a number beyond those of the pool, or other than the one that all of them have. Inside: a curve expected to be
+/// less than 3 % off. Near the edge: others, up to the knot where it is expected to be a tenth off, unless that is
+/// below delta/R0 = 0.1: then outside; and metals of another Poisson's ratio, which count by E/(1 - nu^2).
 Assessment assess(const Surrogate&, const Description&, const Prediction&);
 
 /// The runs of the pool that weigh most: nearest first, distances in the lengths of the first component of the force.

@@ -141,7 +141,6 @@ std::string text_of(const Surrogate& s) {
   out.list("layers", std::vector{s.layers.size()});
   for (const auto& layer : s.layers) write(out, layer);
   out.list("band", std::vector{s.band});
-  out.list("usual_most", std::vector{s.usual, s.most});
   out.list("left_out.force", list_of(s.left_out.force));
   out.list("left_out.radius", list_of(s.left_out.radius));
   out.list("left_out.work", list_of(s.left_out.work));
@@ -184,9 +183,6 @@ Surrogate read_surrogate(const std::filesystem::path& file) {
     s.layers.push_back(std::move(layer));
   }
   s.band = in.number("band");
-  const auto expected = in.list("usual_most", 2);
-  s.usual = expected[0];
-  s.most = expected[1];
   s.left_out.force = quantiles(in.list("left_out.force", 3));
   s.left_out.radius = quantiles(in.list("left_out.radius", 3));
   s.left_out.work = quantiles(in.list("left_out.work", 3));

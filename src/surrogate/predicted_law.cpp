@@ -26,16 +26,30 @@ std::vector<double> rounded(const std::vector<double>& values) {
   return result;
 }
 
-/// A law wants an exponent of 1 at least; fitted ones are held there as well.
-std::vector<double> exponents(const Prediction& p) {
-  auto alpha = p.alpha;
-  for (double& one : alpha) one = std::clamp(one, 1.0, 10.0);
-  return alpha;
+/// What of the prediction the law holds: up to the last knot that may be used.
+struct Held {
+  std::vector<double> knots, F_bar, a_bar, band, unload_delta_bar, alpha, beta;
+  double expected;
+};
+
+Held held(const Answer& answer) {
+  const auto& [s, p, a] = answer;
+  const auto first = [&](const std::vector<double>& values, std::size_t count) {
+    return std::vector<double>(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count));
+  };
+  const double end = s.knots[a.knots - 1];
+  const auto branches = static_cast<std::size_t>(
+      std::count_if(s.unload_delta_bar.begin(), s.unload_delta_bar.end(), [&](double x) { return x <= end; }));
+  Held h{first(s.knots, a.knots), first(p.F_bar, a.knots), first(p.a_bar, a.knots), first(p.band, a.knots),
+         first(s.unload_delta_bar, branches), first(p.alpha, branches), first(p.beta, branches),
+         p.expected[a.knots - 1]};
+  for (double& alpha : h.alpha) alpha = std::clamp(alpha, 1.0, 10.0); // what laws take; fits are held there as well
+  return h;
 }
 
-void say_where_from(fit::LawCard& card, const Answer& answer, const material::Material& material) {
+void say_where_from(fit::LawCard& card, const Answer& answer, const Held& h, const material::Material& material) {
   const Surrogate& s = answer.surrogate;
-  card.errors.emplace_back("band_90", rounded(answer.prediction.band));
+  card.errors.emplace_back("band_90", rounded(h.band));
   card.provenance = {{"material", material.name},
                      {"pool", s.pool},
                      {"runs", static_cast<int>(s.runs.size())},
@@ -43,37 +57,48 @@ void say_where_from(fit::LawCard& card, const Answer& answer, const material::Ma
                      {"engine", s.engine}};
 }
 
+/// The law pressed wants curves that grow: held level where they fall, by less than is known of them anyway. `most`: the
+/// largest share by which a value was raised.
+std::vector<double> growing(const std::vector<double>& values, double least, double& most) {
+  std::vector<double> result;
+  for (const double value : values) {
+    result.push_back(result.empty() ? value : std::max(value, result.back() * (1 + least)));
+    most = std::max(most, result.back() / value - 1);
+  }
+  return result;
+}
+
 } // namespace
 
 fit::LawCard pressed_card(const Answer& answer, const material::Material& material) {
-  const Prediction& p = answer.prediction;
-  const auto& knots = answer.surrogate.knots;
-  for (const auto* list : {&p.F_bar, &p.a_bar})
-    for (std::size_t i = 1; i < list->size(); ++i)
-      if (!((*list)[i] > (*list)[i - 1]))
-        throw core::InvalidInput(fmt::format("{}: the predicted {} does not grow at delta/R0 = {:.4g}, which the law "
-                                             "pressed cannot hold; `platen derive` presses the material",
-                                             material.name, list == &p.F_bar ? "force" : "contact radius", knots[i]));
+  const Held h = held(answer);
+  double raised = 0, raised_a = 0;
+  const auto F_bar = growing(h.F_bar, 2e-5, raised), a_bar = growing(h.a_bar, 0, raised_a);
+  if (raised > std::max(0.02, *std::max_element(h.band.begin(), h.band.end())))
+    throw core::InvalidInput(fmt::format(
+        "{}: the predicted force falls by {:.2g} % while the overlap grows, which the law pressed cannot hold; --law "
+        "edmans-sinka, or `platen press`, can",
+        material.name, 100 * raised));
   fit::LawCard card;
   card.law = "pressed";
   card.parameters = {{"E_Pa", core::number_text(material::initial_E(material.model))},
                      {"nu", core::number_text(material::initial_nu(material.model))},
                      {"sigma_ref_Pa", core::number_text(material::reference_stress(material.model))},
-                     {"delta_bar", list_of(knots)},
-                     {"F_bar", list_of(p.F_bar)},
-                     {"a_bar", list_of(p.a_bar)},
-                     {"unload_delta_bar", list_of(answer.surrogate.unload_delta_bar)},
-                     {"alpha", list_of(exponents(p))},
-                     {"beta", list_of(p.beta)}};
-  card.delta_bar = {0, knots.back()};
-  card.errors = {{"relative_l2", rounded({p.expected})[0]}};
-  say_where_from(card, answer, material);
+                     {"delta_bar", list_of(h.knots)},
+                     {"F_bar", list_of(F_bar)},
+                     {"a_bar", list_of(a_bar)},
+                     {"unload_delta_bar", list_of(h.unload_delta_bar)},
+                     {"alpha", list_of(h.alpha)},
+                     {"beta", list_of(h.beta)}};
+  card.delta_bar = {0, h.knots.back()};
+  card.errors = {{"relative_l2", rounded({h.expected})[0]}};
+  if (std::max(raised, raised_a) > 1e-4) card.errors.emplace_back("held_level", rounded({std::max(raised, raised_a)})[0]);
+  say_where_from(card, answer, h, material);
   return card;
 }
 
 fit::LawCard edmans_sinka_card(const Answer& answer, const material::Material& material, const std::string& variant) {
-  const Prediction& p = answer.prediction;
-  const Surrogate& s = answer.surrogate;
+  const Held h = held(answer);
   press::Curve curve;
   curve.radius_m = 1;
   curve.sigma_ref_Pa = material::reference_stress(material.model);
@@ -81,27 +106,26 @@ fit::LawCard edmans_sinka_card(const Answer& answer, const material::Material& m
   curve.nu = material::initial_nu(material.model);
   curve.experiment = press::Simple::name;
   curve.material = material.name;
-  curve.engine = s.engine;
-  for (std::size_t i = 0; i < s.knots.size(); ++i) {
+  curve.engine = answer.surrogate.engine;
+  for (std::size_t i = 0; i < h.knots.size(); ++i) {
     press::CurvePoint point;
-    point.delta_bar = point.delta_m = s.knots[i];
-    point.F_bar = p.F_bar[i];
+    point.delta_bar = point.delta_m = h.knots[i];
+    point.F_bar = h.F_bar[i];
     curve.points.push_back(point);
   }
   fit::UnloadingFits unloading;
-  const auto alpha = exponents(p);
-  for (std::size_t b = 0; b < alpha.size(); ++b) {
+  for (std::size_t b = 0; b < h.alpha.size(); ++b) {
     fit::UnloadingFit fit;
     fit.branch_id = static_cast<int>(b) + 1;
-    fit.delta_bar_max = s.unload_delta_bar[b];
-    fit.alpha = alpha[b];
-    fit.beta = p.beta[b];
+    fit.delta_bar_max = h.unload_delta_bar[b];
+    fit.alpha = h.alpha[b];
+    fit.beta = h.beta[b];
     unloading.fits.push_back(fit);
   }
   auto card = fit::law_card(curve, fit::fit_edmans_sinka(curve, variant), unloading, "");
   std::erase_if(card.errors, [](const auto& error) { return error.first == "unload_R2"; });
-  card.errors.emplace_back("predicted_curve", rounded({p.expected})[0]);
-  say_where_from(card, answer, material);
+  card.errors.emplace_back("predicted_curve", rounded({h.expected})[0]);
+  say_where_from(card, answer, h, material);
   return card;
 }
 

@@ -63,9 +63,6 @@ struct Surrogate {
   /// Half the width of the 90 % band of ln F over the standard deviation that the processes give: as the left-out
   /// materials want it.
   double band = 1.645;
-  /// Expected relative error of the curve (its relative L2 were it one standard deviation off) of the pool's materials
-  /// when left out: of nine in ten less, and the largest.
-  double usual = 0, most = 0;
   LeaveOneOut left_out;
 };
 
@@ -91,7 +88,8 @@ struct Prediction {
   std::vector<double> F_bar, a_bar; ///< at the knots
   std::vector<double> alpha, beta;  ///< of the unloadings
   std::vector<double> band; ///< at each knot, half the 90 % band of ln F
-  double expected = 0;      ///< relative error of the curve, as in Surrogate::usual
+  /// Relative L2 of F over the loading up to each knot, were it one standard deviation off.
+  std::vector<double> expected;
 };
 
 /// Of a material of the surrogate's model; whether it may be believed is not asked here.
