@@ -21,7 +21,7 @@ namespace {
 struct Options {
   std::string material, output = "law.toml", law = "pressed", variant = "published";
   std::optional<double> E_Pa, nu, sigma_y_Pa;
-  bool extrapolate = false, json = false;
+  bool guided = false, extrapolate = false, json = false;
 };
 
 material::Material material_of(const Options& o) {
@@ -52,8 +52,10 @@ double at(const surrogate::Answer& answer, const std::vector<double>& values, do
 std::string words(const Options& o, const material::Material& material, const surrogate::Answer& answer,
                   const std::vector<surrogate::Near>& near) {
   const auto& [s, p, a] = answer;
-  std::string text = fmt::format("{}: law {} from {} materials of pool {} (engine {})\n", material.name, o.law,
-                                 s.runs.size(), s.pool, s.engine);
+  std::string text = fmt::format("{}: law {} from {} materials of pool {}{} (engine {})\n", material.name, o.law,
+                                 s.runs.size(), s.pool,
+                                 o.guided && s.guide ? fmt::format(" and a press on {} elements", s.guide->elements) : "",
+                                 s.engine);
   text += fmt::format("  verdict        {}{}{}\n", name_of(a.verdict), a.reasons.empty() ? "" : ": ",
                       fmt::join(a.reasons, "; "));
   const double end = s.knots[a.knots - 1];
@@ -89,6 +91,27 @@ std::string json_of(const material::Material& material, const surrogate::Answer&
          "\n";
 }
 
+void guide(surrogate::Answer& answer, const material::Material& material, const surrogate::Description& description) {
+  const auto& s = answer.surrogate;
+  if (!s.guide) {
+    core::say(fmt::format("note: pool {} has no guide, and is without one expected to be {:.2g} % off\n", s.pool,
+                          100 * answer.prediction.expected.back()));
+    return;
+  }
+  const auto loading = surrogate::press_guide(s, material);
+  answer.prediction = surrogate::predict(s, description, &loading);
+  answer.assessment = surrogate::assess(s, description, answer.prediction);
+}
+
+/// What else could be done about a material that is not inside.
+std::string advice(const Options& o, const surrogate::Answer& answer) {
+  std::string text = fmt::format("`platen derive {} -o DIR` presses it", o.material.empty() ? "CARD.toml" : o.material);
+  if (answer.surrogate.guide && !o.guided)
+    text += fmt::format(", --guided on {} elements before it predicts (such curves are {:.2g} % off)",
+                        answer.surrogate.guide->elements, 100 * answer.surrogate.guide->left_out.force.median);
+  return text;
+}
+
 void predict(const Options& o) {
   const std::vector<std::string> laws = {"pressed", "edmans-sinka"};
   if (std::ranges::find(laws, o.law) == laws.end())
@@ -96,14 +119,14 @@ void predict(const Options& o) {
         fmt::format("--law {}: there is no such law to predict{}", o.law, core::suggestion(o.law, laws)));
   const auto material = material_of(o);
   const auto description = surrogate::describe(material.model);
-  const auto answer = surrogate::ask_catalogue(description);
+  auto answer = surrogate::ask_catalogue(description);
+  if (o.guided) guide(answer, material, description);
   const auto& s = answer.surrogate;
   const bool outside = answer.assessment.verdict == surrogate::Verdict::outside;
   const std::string why = fmt::format("{} is outside of what was pressed (pool {}): {}", material.name, s.pool,
                                       fmt::join(answer.assessment.reasons, "; "));
   if (outside && !o.extrapolate)
-    throw core::InvalidInput(fmt::format("{}; `platen derive {} -o DIR` presses it, --extrapolate guesses", why,
-                                         o.material.empty() ? "CARD.toml" : o.material));
+    throw core::InvalidInput(fmt::format("{}; {}, --extrapolate guesses", why, advice(o, answer)));
   const auto card = o.law == "pressed" ? surrogate::pressed_card(answer, material)
                                        : surrogate::edmans_sinka_card(answer, material, o.variant);
   if (s.engine != core::engine)
@@ -112,6 +135,8 @@ void predict(const Options& o) {
   if (outside) core::say(fmt::format("warning: extrapolated, {}\n", why));
   core::write_file(o.output, text_of(card));
   const auto near = nearest(s, description, 3);
+  if (answer.assessment.verdict == surrogate::Verdict::near_the_edge)
+    core::say(fmt::format("note: {} is near the edge of what is known; {}\n", material.name, advice(o, answer)));
   fmt::print("{}", o.json ? json_of(material, answer, near) : words(o, material, answer, near));
 }
 
@@ -130,6 +155,7 @@ void add_predict(Command program) {
       .type_name("NAME")
       .capture_default_str();
   command.add_option("--variant", o->variant, "form of edmans-sinka").type_name("V").capture_default_str();
+  command.add_flag("--guided", o->guided, "press it on few elements first, half a second: surer where a pool has such presses");
   command.add_flag("--extrapolate", o->extrapolate, "outside of what was pressed: guess, with a warning");
   command.add_flag("--json", o->json, "for a machine to read");
   command.footer("Example: platen predict mcc-ph-200 -o law.toml\n"

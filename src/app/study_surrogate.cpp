@@ -14,7 +14,7 @@ namespace platen::app {
 namespace {
 
 struct Options {
-  std::string pool, coarse, output;
+  std::string pool, coarse, guide, output;
   std::vector<std::string> beside;
 };
 
@@ -27,14 +27,29 @@ void print_errors(const std::string& whose, const surrogate::LeaveOneOut& e) {
   fmt::print("{}{}{}{}", row("force over the loading, relative L2", e.force), row("contact radius, likewise", e.radius),
              row("work given back in unloading", e.work),
              row("overlap left after unloading, of the largest", e.residual));
-  fmt::print("  {:.1f} % of their points lie in the 90 % band\n", 100 * e.coverage);
+  fmt::print("  {:.1f} % of their points lie in the 90 % band", 100 * e.coverage);
+  if (e.locked > 0) fmt::print("; without {} of {} that are said to lock", e.locked, e.materials);
+  fmt::print("\n");
+}
+
+void print_beside(const surrogate::Surrogate& s, const surrogate::PoolData& other) {
+  for (const bool guided : {false, true}) {
+    if (guided && !s.guide) break;
+    const auto errors = surrogate::errors_beside(s, other, guided);
+    print_errors(fmt::format("{} materials of {}{}", other.runs.size(), other.name, guided ? ", guided" : ""),
+                 surrogate::summary_of(errors, guided ? s.guide->band : s.band));
+    for (std::size_t i = 0; i < errors.size(); ++i)
+      fmt::print("  {:<44} {:>7.2f}% expected {:.2f}%{}\n", fmt::format("{}, force", other.runs[i].material.name),
+                 100 * errors[i].force, 100 * errors[i].expected, errors[i].locks ? ", locks" : "");
+  }
 }
 
 void make(const Options& o) {
   const auto data = surrogate::read_pool_data(o.pool);
-  std::optional<surrogate::PoolData> coarse;
+  std::optional<surrogate::PoolData> coarse, guide;
   if (!o.coarse.empty()) coarse = surrogate::read_pool_data(o.coarse);
-  const auto s = surrogate::fit_surrogate(data, coarse ? &*coarse : nullptr);
+  if (!o.guide.empty()) guide = surrogate::read_pool_data(o.guide);
+  const auto s = surrogate::fit_surrogate({data, coarse ? &*coarse : nullptr, guide ? &*guide : nullptr});
   const auto file = o.output.empty() ? std::filesystem::path(o.pool) / "surrogate.txt" : std::filesystem::path(o.output);
   core::write_file(file, surrogate::text_of(s));
   fmt::print("{}: {} of {} materials{}, {} numbers that vary: {}\n", s.pool, s.fine, s.asked,
@@ -43,19 +58,17 @@ void make(const Options& o) {
   for (const auto& layer : s.layers)
     fmt::print("  components: {} of the force, {} of the radius, {} of the unloadings\n", layer.force.basis.size(),
                layer.radius.basis.size(), layer.unloading.basis.size());
-  if (data.left_aside > 0)
-    fmt::print("  without {} that unload too steeply for alpha and beta to be fitted\n", data.left_aside);
+  const auto& first = coarse ? *coarse : data;
+  if (first.too_steep + first.locked > 0)
+    fmt::print("  left aside: {} that unload too steeply for alpha and beta to be fitted, {} that lock\n", first.too_steep,
+               first.locked);
   print_errors("left out one by one", s.left_out);
   fmt::print("  the 90 % band is {:.2f} standard deviations wide to either side\n", s.band);
-  for (const auto& pool : o.beside) {
-    const auto other = surrogate::read_pool_data(pool);
-    const auto errors = surrogate::errors_beside(s, other);
-    print_errors(fmt::format("{} materials of {}", other.runs.size(), other.name),
-                 surrogate::summary_of(errors, s.band));
-    for (std::size_t i = 0; i < errors.size(); ++i)
-      fmt::print("  run {:<3} {:<40} {:>7.2f}% expected {:.2f}%\n", other.runs[i].run, "force", 100 * errors[i].force,
-                 100 * errors[i].expected);
+  if (s.guide) {
+    print_errors(fmt::format("each with a press on {} elements first", s.guide->elements), s.guide->left_out);
+    fmt::print("  the 90 % band is {:.2f} standard deviations wide to either side\n", s.guide->band);
   }
+  for (const auto& pool : o.beside) print_beside(s, surrogate::read_pool_data(pool, surrogate::Take::all));
 }
 
 } // namespace
@@ -65,6 +78,9 @@ void add_study_surrogate(Command study) {
   auto o = std::make_shared<Options>();
   command.add_option("POOL", o->pool, "folder with study.toml, runs.csv, curves.csv").required();
   command.add_option("--coarse", o->coarse, "pool of the same study, and more of it, on fewer elements").type_name("POOL");
+  command.add_option("--guide", o->guide, "likewise, on so few elements that a material may be pressed before it is "
+                                          "predicted")
+      .type_name("POOL");
   command.add_option("-o", o->output, "the file; default surrogate.txt in its folder").type_name("FILE");
   command.add_option("--beside", o->beside, "pools that it is not made of: how well it says what they pressed")
       .type_name("POOL");

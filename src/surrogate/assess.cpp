@@ -66,6 +66,11 @@ Assessment assess(const Surrogate& s, const Description& d, const Prediction& p)
     else note(a, Verdict::outside, fmt::format("{} = {:.4g}, where all have {:.4g}", key, value, low));
   }
   a.knots = s.knots.size();
+  if (grows(locked_growth, s.knots, p.F_bar))
+    note(a, Verdict::outside,
+         fmt::format("it locks (its force grows more than {}-fold from delta/R0 = 0.3 on), and such presses depend on "
+                     "their mesh",
+                     locked_growth));
   if (p.expected.back() <= certain) return a;
   const auto upto = std::find_if(p.expected.begin(), p.expected.end(), [](double e) { return e > usable; });
   a.knots = static_cast<std::size_t>(upto - p.expected.begin());

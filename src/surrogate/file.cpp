@@ -121,6 +121,37 @@ Components read_components(Reader& in, std::string_view name, std::size_t values
   return c;
 }
 
+void write(Writer& out, std::string_view name, const LeaveOneOut& e) {
+  out.list(fmt::format("{}.materials", name), std::vector{e.materials, e.locked});
+  out.list(fmt::format("{}.force", name), list_of(e.force));
+  out.list(fmt::format("{}.radius", name), list_of(e.radius));
+  out.list(fmt::format("{}.work", name), list_of(e.work));
+  out.list(fmt::format("{}.residual", name), list_of(e.residual));
+  out.list(fmt::format("{}.coverage", name), std::vector{e.coverage});
+}
+
+LeaveOneOut read_errors(Reader& in, std::string_view name) {
+  LeaveOneOut e;
+  const auto counts = in.list(fmt::format("{}.materials", name), 2);
+  e.materials = static_cast<int>(counts[0]);
+  e.locked = static_cast<int>(counts[1]);
+  e.force = quantiles(in.list(fmt::format("{}.force", name), 3));
+  e.radius = quantiles(in.list(fmt::format("{}.radius", name), 3));
+  e.work = quantiles(in.list(fmt::format("{}.work", name), 3));
+  e.residual = quantiles(in.list(fmt::format("{}.residual", name), 3));
+  e.coverage = in.number(fmt::format("{}.coverage", name));
+  return e;
+}
+
+Layer read_layer(Reader& in, std::size_t dimensions, std::size_t knots, std::size_t unloadings) {
+  Layer layer;
+  layer.inputs = {dimensions, in.list("inputs")};
+  layer.force = read_components(in, "force", knots, layer.inputs);
+  layer.radius = read_components(in, "radius", knots, layer.inputs);
+  layer.unloading = read_components(in, "unloading", unloadings, layer.inputs);
+  return layer;
+}
+
 } // namespace
 
 std::string text_of(const Surrogate& s) {
@@ -141,11 +172,12 @@ std::string text_of(const Surrogate& s) {
   out.list("layers", std::vector{s.layers.size()});
   for (const auto& layer : s.layers) write(out, layer);
   out.list("band", std::vector{s.band});
-  out.list("left_out.force", list_of(s.left_out.force));
-  out.list("left_out.radius", list_of(s.left_out.radius));
-  out.list("left_out.work", list_of(s.left_out.work));
-  out.list("left_out.residual", list_of(s.left_out.residual));
-  out.list("left_out.coverage", std::vector{s.left_out.coverage});
+  write(out, "left_out", s.left_out);
+  if (!s.guide) return out.text;
+  out.list("guide", std::vector{static_cast<double>(s.guide->elements), s.guide->step_max});
+  write(out, s.guide->change);
+  out.list("band", std::vector{s.guide->band});
+  write(out, "left_out", s.guide->left_out);
   return out.text;
 }
 
@@ -174,20 +206,16 @@ Surrogate read_surrogate(const std::filesystem::path& file) {
     s.numbers.push_back(in.list(s.runs.back(), s.ranges.size()));
   }
   const auto varying = input_of(s, s.low).size();
-  for (int layers = in.whole("layers"); layers > 0; --layers) {
-    Layer layer;
-    layer.inputs = {varying, in.list("inputs")};
-    layer.force = read_components(in, "force", s.knots.size(), layer.inputs);
-    layer.radius = read_components(in, "radius", s.knots.size(), layer.inputs);
-    layer.unloading = read_components(in, "unloading", 2 * s.unload_delta_bar.size(), layer.inputs);
-    s.layers.push_back(std::move(layer));
-  }
+  for (int layers = in.whole("layers"); layers > 0; --layers)
+    s.layers.push_back(read_layer(in, varying, s.knots.size(), 2 * s.unload_delta_bar.size()));
   s.band = in.number("band");
-  s.left_out.force = quantiles(in.list("left_out.force", 3));
-  s.left_out.radius = quantiles(in.list("left_out.radius", 3));
-  s.left_out.work = quantiles(in.list("left_out.work", 3));
-  s.left_out.residual = quantiles(in.list("left_out.residual", 3));
-  s.left_out.coverage = in.number("left_out.coverage");
+  s.left_out = read_errors(in, "left_out");
+  if (in.peek() != "guide") return s;
+  const auto press = in.list("guide", 2);
+  Guide guide{static_cast<int>(press[0]), press[1], read_layer(in, varying, s.knots.size(), 0), 0, {}};
+  guide.band = in.number("band");
+  guide.left_out = read_errors(in, "left_out");
+  s.guide = std::move(guide);
   return s;
 }
 

@@ -46,13 +46,21 @@ Pressed pressed(const std::vector<std::vector<double>>& rows, std::vector<double
 
 } // namespace
 
-PoolData read_pool_data(const fs::path& folder) {
+bool grows(double times, const std::vector<double>& knots, const std::vector<double>& F_bar) {
+  const auto from = std::lower_bound(knots.begin(), knots.end(), 0.3 - 1e-9);
+  return from != knots.end() && F_bar.back() > times * F_bar[static_cast<std::size_t>(from - knots.begin())];
+}
+
+PoolData read_pool_data(const fs::path& folder, Take take) {
   const auto pool = study::read_pool(folder);
   const auto runs = core::read_csv(folder / "runs.csv");
   const auto engine = core::number_from(pool.engine);
   if (!engine)
     throw core::InvalidInput(fmt::format("{}: pressed by engines {}; a surrogate wants one", runs.file, pool.engine));
-  PoolData data{name_of(folder), static_cast<int>(*engine), pool.study.runs.size(), 0, {}, {}, {}};
+  PoolData data;
+  data.name = name_of(folder);
+  data.engine = static_cast<int>(*engine);
+  data.asked = pool.study.runs.size();
   const auto refuse = [&](std::size_t i, std::string_view why) {
     throw core::InvalidInput(fmt::format("{}: run {} {}", folder.string(), i + 1, why));
   };
@@ -65,8 +73,14 @@ PoolData read_pool_data(const fs::path& folder) {
     Pressed run = pressed(pool.curves[i], knots);
     run.pool = data.name;
     run.run = static_cast<int>(i) + 1;
-    run.description = describe(pool.study.runs[i].press_case.material.model);
-    if (data.knots.empty()) data.knots = knots, data.unload_delta_bar = path->unload_from;
+    run.material = pool.study.runs[i].press_case.material;
+    run.description = describe(run.material.model);
+    if (data.knots.empty()) {
+      data.knots = knots;
+      data.unload_delta_bar = path->unload_from;
+      data.elements = path->elements;
+      data.step_max = path->step_max;
+    }
     if (data.knots != knots || data.unload_delta_bar != path->unload_from)
       refuse(i, "loads or unloads at other overlaps than the first");
     if (data.runs.size() > 0 && run.description.model != data.runs.front().description.model)
@@ -83,7 +97,11 @@ PoolData read_pool_data(const fs::path& folder) {
     run.beta = cells("beta");
     run.residual = cells("delta_bar_0");
     if (run.alpha.size() < data.unload_delta_bar.size() || run.branches.size() < run.alpha.size()) {
-      ++data.left_aside;
+      ++data.too_steep;
+      continue;
+    }
+    if (take == Take::usable && grows(8, knots, run.F_bar)) {
+      ++data.locked;
       continue;
     }
     data.runs.push_back(std::move(run));

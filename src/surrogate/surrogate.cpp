@@ -2,6 +2,8 @@
 
 #include "core/error.hpp"
 #include "fit/samples.hpp"
+#include "press/press.hpp"
+#include "study/grid.hpp"
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
@@ -9,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace platen::surrogate {
 namespace {
@@ -32,6 +35,7 @@ struct Reduced {
 };
 
 Reduced reduce(const Table& table) {
+  if (table[0].empty()) return {};
   const auto n = static_cast<Eigen::Index>(table.size()), m = static_cast<Eigen::Index>(table[0].size());
   MatrixXd Y(n, m);
   for (Eigen::Index i = 0; i < n; ++i)
@@ -105,7 +109,8 @@ struct Both {
 };
 
 std::vector<Both> in_both(const PoolData& fine, const PoolData& coarse) {
-  if (fine.engine != coarse.engine || fine.knots != coarse.knots || fine.unload_delta_bar != coarse.unload_delta_bar ||
+  if (fine.engine != coarse.engine || fine.knots != coarse.knots ||
+      (!coarse.unload_delta_bar.empty() && fine.unload_delta_bar != coarse.unload_delta_bar) ||
       fine.runs.front().description.model != coarse.runs.front().description.model)
     throw core::InvalidInput(fmt::format("pools {} and {} differ in model, engine, or the overlaps at which their curves "
                                          "are given: one cannot be the coarse presses of the other",
@@ -132,12 +137,14 @@ Tables change(const Tables& fine, const Tables& coarse, const std::vector<Both>&
   for (const auto table : {&Tables::force, &Tables::radius, &Tables::unloading})
     for (const auto [i, j] : both) {
       auto& row = (changes.*table).emplace_back((fine.*table)[i]);
+      row.resize((coarse.*table)[j].size()); // a guide has no unloadings
       for (std::size_t k = 0; k < row.size(); ++k) row[k] -= (coarse.*table)[j][k];
     }
   return changes;
 }
 
 double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
   std::sort(values.begin(), values.end());
   const double place = share * static_cast<double>(values.size() - 1);
   const auto below = static_cast<std::size_t>(place);
@@ -231,15 +238,27 @@ std::vector<double> variances_at(const Components& components, const Inputs& inp
   return variance;
 }
 
-Said said_of(const Surrogate& s, const Description& d) {
+void add_loading(Said& said, const Layer& layer, const std::vector<double>& at) {
+  add(said.F, values_at(layer.force, layer.inputs, at));
+  add(said.F_variance, variances_at(layer.force, layer.inputs, at));
+  add(said.a, values_at(layer.radius, layer.inputs, at));
+}
+
+std::vector<double> logarithms(std::vector<double> values) {
+  for (double& value : values) value = std::log(value);
+  return values;
+}
+
+Said said_of(const Surrogate& s, const Description& d, const Loading* guide) {
   const auto at = input_of(s, d.coordinates);
   Said said;
-  for (const auto& layer : s.layers) {
-    add(said.F, values_at(layer.force, layer.inputs, at));
-    add(said.F_variance, variances_at(layer.force, layer.inputs, at));
-    add(said.a, values_at(layer.radius, layer.inputs, at));
-    add(said.unloading, values_at(layer.unloading, layer.inputs, at));
+  if (guide) {
+    said.F = logarithms(guide->F_bar);
+    said.a = logarithms(guide->a_bar);
+    add_loading(said, s.guide->change, at);
   }
+  for (std::size_t l = guide ? 1 : 0; l < s.layers.size(); ++l) add_loading(said, s.layers[l], at);
+  for (const auto& layer : s.layers) add(said.unloading, values_at(layer.unloading, layer.inputs, at));
   if (s.model == "von-mises") {
     const double off = per_nu * (d.numbers[1].value - s.ranges[1].low);
     for (double& variance : said.F_variance) variance += off * off;
@@ -255,6 +274,7 @@ Errors errors_of(const PoolData& data, const Pressed& run, const Said& said) {
   e.expected = expected_errors(data.knots, F_bar, said.F_variance).back();
   for (std::size_t j = 0; j < F_bar.size(); ++j)
     e.standardised.push_back(std::abs(said.F[j] - std::log(run.F_bar[j])) / std::sqrt(said.F_variance[j]));
+  e.locks = grows(locked_growth, data.knots, F_bar);
   const std::size_t branches = data.unload_delta_bar.size();
   for (std::size_t b = 0; b < branches; ++b) {
     const double at = data.unload_delta_bar[b];
@@ -322,9 +342,75 @@ std::vector<const Pressed*> all(const PoolData& data) {
   return runs;
 }
 
+/// A layer with the numbers that it was made of, and where each of the materials asked for stands in them.
+struct Term {
+  const Layer& layer;
+  Tables tables;
+  std::vector<std::size_t> rows;
+};
+
+/// Adds what the terms say of each material when it is left out of them; of unloadings, or of the loading.
+void add_left_out(std::vector<Said>& said, const std::vector<Term>& terms, bool unloadings) {
+  for (const auto& [layer, tables, rows] : terms) {
+    if (unloadings) {
+      const Crossed u = cross(layer.unloading, tables.unloading, layer.inputs);
+      for (std::size_t i = 0; i < said.size(); ++i) add(said[i].unloading, u.mean[rows[i]]);
+      continue;
+    }
+    const Crossed F = cross(layer.force, tables.force, layer.inputs),
+                  a = cross(layer.radius, tables.radius, layer.inputs);
+    for (std::size_t i = 0; i < said.size(); ++i) {
+      add(said[i].F, F.mean[rows[i]]);
+      add(said[i].F_variance, F.variance[rows[i]]);
+      add(said[i].a, a.mean[rows[i]]);
+    }
+  }
+}
+
+/// The share of the standardised errors that lies within is 0.9.
+double band_of(const std::vector<Errors>& errors) {
+  std::vector<double> standardised;
+  for (const auto& one : errors)
+    if (!one.locks) standardised.insert(standardised.end(), one.standardised.begin(), one.standardised.end());
+  return quantile(standardised, 0.9);
+}
+
+std::vector<std::size_t> numbered(std::size_t count) {
+  std::vector<std::size_t> rows(count);
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  return rows;
+}
+
+Layer fit_change(const Surrogate& s, const PoolData& fine, const PoolData& coarse) {
+  const auto both = in_both(fine, coarse);
+  std::vector<const Pressed*> runs;
+  for (const auto& one : both) runs.push_back(&fine.runs[one.fine]);
+  return fit_layer(s, change(tables_of(fine), tables_of(coarse), both), runs);
+}
+
+/// The terms of a surrogate without a guide; `fine`: the materials, numbers in the fine pool.
+std::vector<Term> terms_of(const Surrogate& s, const Pools& pools, std::vector<std::size_t>& fine) {
+  if (!pools.coarse) {
+    fine = numbered(pools.fine.runs.size());
+    return {{s.layers[0], tables_of(pools.fine), fine}};
+  }
+  const auto both = in_both(pools.fine, *pools.coarse);
+  std::vector<std::size_t> coarse;
+  for (const auto& one : both) fine.push_back(one.fine), coarse.push_back(one.coarse);
+  return {{s.layers[0], tables_of(*pools.coarse), coarse},
+          {s.layers[1], change(tables_of(pools.fine), tables_of(*pools.coarse), both), numbered(both.size())}};
+}
+
+std::vector<Errors> errors_of(const Pools& pools, const std::vector<std::size_t>& fine, const std::vector<Said>& said) {
+  std::vector<Errors> errors;
+  for (std::size_t i = 0; i < fine.size(); ++i) errors.push_back(errors_of(pools.fine, pools.fine.runs[fine[i]], said[i]));
+  return errors;
+}
+
 } // namespace
 
-Surrogate fit_surrogate(const PoolData& fine, const PoolData* coarse) {
+Surrogate fit_surrogate(const Pools& pools) {
+  const auto& [fine, coarse, guide] = pools;
   Surrogate s;
   const PoolData& first = coarse ? *coarse : fine;
   s.pool = fine.name;
@@ -340,74 +426,109 @@ Surrogate fit_surrogate(const PoolData& fine, const PoolData* coarse) {
     for (const auto& number : run.description.numbers) s.numbers.back().push_back(number.value);
   }
   s.layers.push_back(fit_layer(s, tables_of(first), all(first)));
-  if (coarse) {
-    const auto both = in_both(fine, *coarse);
-    std::vector<const Pressed*> runs;
-    for (const auto& one : both) runs.push_back(&fine.runs[one.fine]);
-    s.layers.push_back(fit_layer(s, change(tables_of(fine), tables_of(*coarse), both), runs));
-  }
-  const auto errors = leave_out(s, fine, coarse);
+  if (coarse) s.layers.push_back(fit_change(s, fine, *coarse));
+  const auto errors = leave_out(s, pools);
   s.fine = static_cast<int>(errors.size());
-  std::vector<double> standardised;
-  for (const auto& one : errors)
-    standardised.insert(standardised.end(), one.standardised.begin(), one.standardised.end());
-  s.band = quantile(standardised, 0.9);
+  s.band = band_of(errors);
   s.left_out = summary_of(errors, s.band);
+  if (!guide) return s;
+  if (!coarse) throw core::InvalidInput(fmt::format("the guide {} wants coarse presses as well", guide->name));
+  s.guide = Guide{guide->elements, guide->step_max, fit_change(s, *coarse, *guide), 0, {}};
+  const auto guided = leave_out_guided(s, pools);
+  s.guide->band = band_of(guided);
+  s.guide->left_out = summary_of(guided, s.guide->band);
   return s;
 }
 
-std::vector<Errors> leave_out(const Surrogate& s, const PoolData& fine, const PoolData* coarse) {
-  std::vector<Both> both;
-  std::vector<std::pair<Tables, std::vector<std::size_t>>> of_layers; // with the row of each material in them
-  std::vector<std::size_t> rows, changes;
-  if (coarse) {
-    both = in_both(fine, *coarse);
-    for (const auto& one : both) rows.push_back(one.coarse), changes.push_back(changes.size());
-    of_layers = {{tables_of(*coarse), rows}, {change(tables_of(fine), tables_of(*coarse), both), changes}};
-  } else {
-    for (std::size_t i = 0; i < fine.runs.size(); ++i) both.push_back({i, i}), rows.push_back(i);
-    of_layers = {{tables_of(fine), rows}};
+std::vector<Errors> leave_out(const Surrogate& s, const Pools& pools) {
+  std::vector<std::size_t> fine;
+  const auto terms = terms_of(s, pools, fine);
+  std::vector<Said> said(fine.size());
+  add_left_out(said, terms, false);
+  add_left_out(said, terms, true);
+  return errors_of(pools, fine, said);
+}
+
+std::vector<Errors> leave_out_guided(const Surrogate& s, const Pools& pools) {
+  std::vector<std::size_t> fine;
+  auto terms = terms_of(s, pools, fine);
+  const auto both = in_both(*pools.coarse, *pools.guide);
+  Term changes{s.guide->change, change(tables_of(*pools.coarse), tables_of(*pools.guide), both), {}};
+  std::vector<Term> unguided = terms;
+  std::vector<std::size_t> kept_fine;
+  std::vector<std::vector<std::size_t>> kept(2);
+  std::vector<Said> said;
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    const auto found = std::find_if(both.begin(), both.end(), [&](const Both& b) { return b.fine == terms[0].rows[i]; });
+    if (found == both.end()) continue;
+    changes.rows.push_back(static_cast<std::size_t>(found - both.begin()));
+    kept_fine.push_back(fine[i]);
+    for (std::size_t l = 0; l < 2; ++l) kept[l].push_back(terms[l].rows[i]);
+    const Pressed& guide = pools.guide->runs[found->coarse];
+    said.push_back({logarithms(guide.F_bar), {}, logarithms(guide.a_bar), {}});
   }
-  std::vector<Said> said(both.size());
-  for (std::size_t l = 0; l < s.layers.size(); ++l) {
-    const Layer& layer = s.layers[l];
-    const auto& [tables, row] = of_layers[l];
-    const Crossed F = cross(layer.force, tables.force, layer.inputs),
-                  a = cross(layer.radius, tables.radius, layer.inputs),
-                  u = cross(layer.unloading, tables.unloading, layer.inputs);
-    for (std::size_t i = 0; i < said.size(); ++i) {
-      add(said[i].F, F.mean[row[i]]);
-      add(said[i].F_variance, F.variance[row[i]]);
-      add(said[i].a, a.mean[row[i]]);
-      add(said[i].unloading, u.mean[row[i]]);
-    }
-  }
+  for (std::size_t l = 0; l < 2; ++l) unguided[l].rows = kept[l];
+  add_left_out(said, unguided, true);
+  add_left_out(said, {changes, unguided[1]}, false);
+  return errors_of(pools, kept_fine, said);
+}
+
+std::vector<Errors> errors_beside(const Surrogate& s, const PoolData& data, bool guided) {
   std::vector<Errors> errors;
-  for (std::size_t i = 0; i < both.size(); ++i) errors.push_back(errors_of(fine, fine.runs[both[i].fine], said[i]));
+  for (const auto& run : data.runs) {
+    std::optional<Loading> guide;
+    if (guided) guide = press_guide(s, run.material);
+    errors.push_back(errors_of(data, run, said_of(s, run.description, guide ? &*guide : nullptr)));
+  }
   return errors;
 }
 
-std::vector<Errors> errors_beside(const Surrogate& s, const PoolData& data) {
-  std::vector<Errors> errors;
-  for (const auto& run : data.runs) errors.push_back(errors_of(data, run, said_of(s, run.description)));
-  return errors;
+Loading press_guide(const Surrogate& s, const material::Material& material) {
+  press::Simple simple;
+  simple.delta_bar_max = s.knots.back();
+  simple.elements = s.guide->elements;
+  simple.step_max = s.guide->step_max;
+  const auto result = press::press({material, 1e-3, simple});
+  Loading loading;
+  for (const auto& point : study::on_grid(result.curve, 0.01)) { // as the pools have it
+    if (loading.F_bar.size() == s.knots.size()) break;
+    if (std::abs(point.delta_bar - s.knots[loading.F_bar.size()]) > 1e-9) continue;
+    loading.F_bar.push_back(point.z.F_bar);
+    loading.a_bar.push_back(point.z.a_bar);
+  }
+  if (loading.F_bar.size() < s.knots.size())
+    throw core::ConvergenceError(fmt::format("{}: the press that guides the prediction did not get to delta/R0 = {:.4g}; "
+                                             "`platen derive` presses on more elements",
+                                             material.name, s.knots.back()),
+                                 0, 0, 0);
+  return loading;
 }
 
 LeaveOneOut summary_of(const std::vector<Errors>& errors, double band) {
   std::vector<double> force, radius, work, residual;
+  LeaveOneOut summary;
   double inside = 0, points = 0;
   for (const auto& one : errors) {
+    ++summary.materials;
+    summary.locked += one.locks;
+    if (one.locks) continue;
     force.push_back(one.force);
     radius.push_back(one.radius);
     work.insert(work.end(), one.work.begin(), one.work.end());
     residual.insert(residual.end(), one.residual.begin(), one.residual.end());
     for (const double z : one.standardised) inside += z <= band, points += 1;
   }
-  return {quantiles(force), quantiles(radius), quantiles(work), quantiles(residual), inside / points};
+  summary.force = quantiles(force);
+  summary.radius = quantiles(radius);
+  summary.work = quantiles(work);
+  summary.residual = quantiles(residual);
+  summary.coverage = points > 0 ? inside / points : 0;
+  return summary;
 }
 
-Prediction predict(const Surrogate& s, const Description& d) {
-  const Said said = said_of(s, d);
+Prediction predict(const Surrogate& s, const Description& d, const Loading* guide) {
+  const Said said = said_of(s, d, guide);
+  const double band = guide ? s.guide->band : s.band;
   const std::size_t branches = s.unload_delta_bar.size();
   Prediction p{exponentials(said.F, 0, said.F.size()),
                exponentials(said.a, 0, said.a.size()),
@@ -415,7 +536,7 @@ Prediction predict(const Surrogate& s, const Description& d) {
                exponentials(said.unloading, branches, branches),
                {},
                {}};
-  for (const double variance : said.F_variance) p.band.push_back(s.band * std::sqrt(variance));
+  for (const double variance : said.F_variance) p.band.push_back(band * std::sqrt(variance));
   p.expected = expected_errors(s.knots, p.F_bar, said.F_variance);
   return p;
 }

@@ -33,7 +33,12 @@ Pressed metal(double E_bar, double factor, const PoolData& data) {
 }
 
 PoolData metals(double factor = 1, double from = 20, double to = 2000, int count = 15) {
-  PoolData data{"metals", 6, static_cast<std::size_t>(count), 0, {0.002, 0.01, 0.05, 0.1, 0.3, 0.5}, {0.1, 0.5}, {}};
+  PoolData data;
+  data.name = "metals";
+  data.engine = 6;
+  data.asked = static_cast<std::size_t>(count);
+  data.knots = {0.002, 0.01, 0.05, 0.1, 0.3, 0.5};
+  data.unload_delta_bar = {0.1, 0.5};
   for (int i = 0; i < count; ++i) {
     data.runs.push_back(metal(from * std::pow(to / from, i / (count - 1.0)), factor, data));
     data.runs.back().run = i + 1;
@@ -52,7 +57,7 @@ std::filesystem::path scratch() { return std::filesystem::path(::testing::TempDi
 
 TEST(Surrogate, SaysCurvesBetweenThoseOfItsPool) {
   const auto data = metals();
-  const auto s = fit_surrogate(data);
+  const auto s = fit_surrogate({data});
   const Pressed truth = metal(130, 1, data);
   const Prediction p = predict(s, truth.description);
   EXPECT_LT(worst(p.F_bar, truth.F_bar), 2e-3);
@@ -68,7 +73,7 @@ TEST(Surrogate, DoesNotDependOnUnits) {
 }
 
 TEST(Surrogate, IsTheSameFromItsFile) {
-  const auto s = fit_surrogate(metals());
+  const auto s = fit_surrogate({metals()});
   core::write_file(scratch(), text_of(s));
   const auto again = read_surrogate(scratch());
   const auto d = describe(material::VonMises{77, 0.3, 1});
@@ -79,7 +84,7 @@ TEST(Surrogate, IsTheSameFromItsFile) {
 }
 
 TEST(Surrogate, RefusesADamagedFile) {
-  const std::string text = text_of(fit_surrogate(metals()));
+  const std::string text = text_of(fit_surrogate({metals()}));
   for (const std::string& bad : {std::string("something else"), std::string(), text.substr(0, text.size() / 2),
                                  std::string("platen-surrogate 0") + text.substr(18)}) {
     core::write_file(scratch(), bad);
@@ -92,7 +97,7 @@ TEST(Surrogate, CorrectsCoarsePressesByFineOnes) {
   const auto coarse = metals(1.03);
   auto fine = metals();
   fine.runs = {fine.runs[0], fine.runs[3], fine.runs[7], fine.runs[11], fine.runs[14]};
-  const auto s = fit_surrogate(fine, &coarse);
+  const auto s = fit_surrogate({fine, &coarse});
   const Pressed truth = metal(130, 1, fine);
   EXPECT_LT(worst(predict(s, truth.description).F_bar, truth.F_bar), 3e-3);
   EXPECT_EQ(s.layers.size(), 2U);
@@ -101,11 +106,11 @@ TEST(Surrogate, CorrectsCoarsePressesByFineOnes) {
 
 TEST(Surrogate, RefusesCoarsePressesOfSomethingElse) {
   const auto fine = metals(), coarse = metals(1, 30, 3000);
-  EXPECT_THROW((void)fit_surrogate(fine, &coarse), core::InvalidInput);
+  EXPECT_THROW((void)fit_surrogate({fine, &coarse}), core::InvalidInput);
 }
 
 TEST(Surrogate, SaysWhenAMaterialIsOutside) {
-  const auto s = fit_surrogate(metals());
+  const auto s = fit_surrogate({metals()});
   const auto judged = [&](double E_bar, double nu) {
     const auto d = describe(material::VonMises{E_bar, nu, 1});
     return assess(s, d, predict(s, d));
@@ -121,7 +126,7 @@ TEST(Surrogate, SaysWhenAMaterialIsOutside) {
 
 // Knots at 0.002, 0.01, 0.05, 0.1, 0.3, 0.5.
 TEST(Surrogate, LetsALawEndWhereItIsNoLongerCertain) {
-  const auto s = fit_surrogate(metals());
+  const auto s = fit_surrogate({metals()});
   const auto d = describe(material::VonMises{130, 0.3, 1});
   Prediction p = predict(s, d);
   p.expected = {0.01, 0.01, 0.01, 0.02, 0.02, 0.025};
@@ -139,7 +144,7 @@ TEST(Surrogate, LetsALawEndWhereItIsNoLongerCertain) {
 }
 
 TEST(Surrogate, NamesTheNearestMaterials) {
-  const auto s = fit_surrogate(metals(1, 20, 2000, 5)); // 20, 63.2, 200, 632, 2000
+  const auto s = fit_surrogate({metals(1, 20, 2000, 5)}); // 20, 63.2, 200, 632, 2000
   const auto near = nearest(s, describe(material::VonMises{190, 0.3, 1}), 2);
   ASSERT_EQ(near.size(), 2U);
   EXPECT_EQ(words(s, near[0]), "metals-3: E_bar = 200");
