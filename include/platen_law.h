@@ -1,8 +1,9 @@
 /* The contact laws for programs that are not C++20: a small compiled interface over include/platen/law.
  *
- * A law is made once from texts and is then read-only: any number of threads may evaluate it. The state of a contact
- * is two numbers that the caller keeps; set them to zero when two bodies first touch. Link platen::law_c, or
- * -lplaten_law. No function here throws or prints. */
+ * A law is made once from texts and is then read-only: any number of threads may evaluate it. What a contact remembers
+ * is a block of platen_law_state_size(law) bytes that the caller keeps, all zero when two bodies first touch. It may be
+ * copied and saved as bytes; keep platen_law_state_version(law) beside it, and ask it before use. Link platen::law_c,
+ * or -lplaten_law. No function here throws or prints. */
 #ifndef PLATEN_LAW_H
 #define PLATEN_LAW_H
 
@@ -13,11 +14,6 @@ extern "C" {
 #endif
 
 typedef struct platen_law platen_law;
-
-typedef struct platen_law_state {
-  double gamma;     /* last overlap [m] */
-  double gamma_max; /* largest overlap so far [m] */
-} platen_law_state;
 
 enum { PLATEN_SEPARATED = 0, PLATEN_LOADING = 1, PLATEN_UNLOADING = 2, PLATEN_RELOADING = 3 };
 
@@ -37,12 +33,18 @@ platen_law* platen_law_new(const char* law, const char* variant, const char* par
                            size_t message_size);
 void platen_law_free(platen_law*);
 
-/* Overlap: approach of the two centres, against a plane that of the centre [m]. Advances `state`. */
-platen_law_response platen_law_evaluate(const platen_law*, platen_law_state* state, double overlap_m);
+/* What a contact remembers. */
+size_t platen_law_state_size(const platen_law*);      /* bytes, a multiple of 8 */
+unsigned platen_law_state_version(const platen_law*); /* of what the bytes mean */
+/* The numbers in it: name and unit of number i, NULL past the last. */
+const char* platen_law_state_name(const platen_law*, size_t i);
 
-/* The same over n contacts; `stiffness_N_per_m` may be NULL. */
-void platen_law_evaluate_all(const platen_law*, size_t n, const double* overlap_m, platen_law_state* state,
-                             double* force_N, double* stiffness_N_per_m);
+/* Overlap: approach of the two centres, against a plane that of the centre [m]. Advances `state`. */
+platen_law_response platen_law_evaluate(const platen_law*, void* state, double overlap_m);
+
+/* The same over n contacts, whose states lie one after the other; `stiffness_N_per_m` may be NULL. */
+void platen_law_evaluate_all(const platen_law*, size_t n, const double* overlap_m, void* states, double* force_N,
+                             double* stiffness_N_per_m);
 
 #ifdef __cplusplus
 }

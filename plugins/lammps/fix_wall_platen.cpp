@@ -92,8 +92,7 @@ int FixWallPlaten::setmask() {
 
 void FixWallPlaten::init() {
   units_ = platen_units(error, update, who);
-  std::vector<int> contact_of_types(static_cast<std::size_t>((atom->ntypes + 1) * (atom->ntypes + 1)), 0);
-  laws_.reset(atom->ntypes, {contact_}, contact_of_types, units_);
+  platen_try(error, FLERR, who, [&] { laws_ = std::make_unique<dem::Laws>(contact_, 0, units_); });
   if (drive_ != Drive::fixed) driven(drive_value_);
 }
 
@@ -124,13 +123,7 @@ void FixWallPlaten::initial_integrate(int) {
 void FixWallPlaten::post_force(int) {
   std::fill(force_, force_ + 3, 0.0);
   platen_try(
-      error, FLERR, who,
-      [&] {
-        for (int i = 0; i < atom->nlocal; i++)
-          if (atom->mask[i] & groupbit) laws_.class_of(atom->type[i], atom->radius[i]);
-      },
-      true);
-  if (laws_.classes() > 0) contacts();
+      error, FLERR, who, [&] { contacts(); }, true);
 }
 
 void FixWallPlaten::contacts() {
@@ -153,22 +146,26 @@ void FixWallPlaten::contacts() {
       m = {};
       continue;
     }
-    const int c = laws_.class_of(atom->type[i], R);
-    const dem::Terms& t = laws_.terms()[c * laws_.classes() + c];
+    const dem::Laws::At here = laws_->at(R, R);
     const double before = m.gamma_max;
-    const law::Response now = dem::normal(laws_.law_of(c, c), units_, R - distance, m);
-    if (t.gamma_valid < m.gamma_max && !(t.gamma_valid < before)) force_[3]++;
+    const law::Response now = dem::respond(here, before, (R - distance) * units_.length);
+    m.gamma_max = now.state.gamma_max;
+    const double x_per_gamma = here.scale.x_per_gamma;
+    if (before < m.gamma_max && !laws_->valid(*here.table, m.gamma_max * x_per_gamma) &&
+        laws_->valid(*here.table, before * x_per_gamma))
+      force_[3]++;
     double slip[3] = {v[0], v[1], v[2]};
     slip[axis_] -= cylinder_ ? 0 : velocity_;
     const double v_n = slip[0] * n[0] + slip[1] * n[1] + slip[2] * n[2];
     double f[3];
-    const double F = dem::damped(t, units_, now.stiffness, now.force / units_.force, atom->rmass[i], v_n);
+    const double F =
+        dem::damped(laws_->damping, units_, now.stiffness, now.force / units_.force, atom->rmass[i], v_n);
     for (int k = 0; k < 3; k++) f[k] = F * n[k];
-    if (t.friction > 0) {
+    if (contact_.friction > 0) {
       slip[0] -= v_n * n[0] + distance * (n[2] * w[1] - n[1] * w[2]);
       slip[1] -= v_n * n[1] + distance * (n[0] * w[2] - n[2] * w[0]);
       slip[2] -= v_n * n[2] + distance * (n[1] * w[0] - n[0] * w[1]);
-      dem::slide(t, now.contact_radius, F, n, slip, dt, m);
+      dem::slide(laws_->shear, contact_.friction, now.contact_radius, F, n, slip, dt, m);
       const double* s = m.tangential;
       for (int k = 0; k < 3; k++) f[k] += s[k];
       atom->torque[i][0] -= distance * (n[1] * s[2] - n[2] * s[1]);

@@ -1,9 +1,10 @@
 #pragma once
 // fix wall/platen: rigid planes and cylinders, with the laws of Platen.
 
-#include "contact_step.hpp"
+#include "dem/contact_step.hpp"
 #include "fix.h"
 
+#include <memory>
 #include <string>
 
 namespace LAMMPS_NS {
@@ -42,7 +43,7 @@ class FixWallPlaten : public Fix {
   void contacts();
 
   platen::dem::Contact contact_;
-  platen::dem::LawTable laws_;
+  std::unique_ptr<platen::dem::Laws> laws_;
   platen::dem::Units units_;
   int axis_ = 2;       // normal of the plane, axis of the cylinder
   int inward_ = 1;     // particles lie on this side of the plane

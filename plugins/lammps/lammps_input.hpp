@@ -1,8 +1,8 @@
 #pragma once
 // What the pair style and the wall read alike.
 
-#include "contact_laws.hpp"
 #include "core/error.hpp"
+#include "dem/contacts.hpp"
 
 #include "error.h"
 #include "update.h"

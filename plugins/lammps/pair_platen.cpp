@@ -1,6 +1,6 @@
 #include "pair_platen.h"
 
-#include "contact_step.hpp"
+#include "dem/contact_step.hpp"
 #include "host.hpp"
 #include "lammps_input.hpp"
 
@@ -23,12 +23,6 @@ namespace {
 
 std::string history_id(int instance, bool made) {
   return (made ? "NEIGH_HISTORY_PLATEN" : "NEIGH_HISTORY_PLATEN_DUMMY") + std::to_string(instance);
-}
-
-/// Of the kind that all pairs have.
-template <class Law> PLATEN_HOT const Law& law_as(const law::AnyLaw& law) {
-  if constexpr (std::is_same_v<Law, law::AnyLaw>) return law;
-  else return *std::get_if<Law>(&law);
 }
 
 } // namespace
@@ -161,8 +155,18 @@ void PairPlaten::init_style() {
 
   beyond_.resize(contacts_.size());
   warned_.resize(contacts_.size());
-  laws_.reset(atom->ntypes, contacts_, contact_of_types_, units_);
-  class_of_.clear();
+  laws_.clear();
+  platen_try(error, FLERR, "Pair platen", [&] {
+    for (std::size_t c = 0; c < contacts_.size(); c++)
+      laws_.push_back(std::make_unique<dem::Laws>(contacts_[c], static_cast<int>(c), units_));
+  });
+  const int n = atom->ntypes + 1;
+  laws_of_types_.assign(static_cast<std::size_t>(n * n), nullptr);
+  for (int i = 1; i < n; i++)
+    for (int j = i; j < n; j++)
+      if (const int c = contact_of_types_[static_cast<std::size_t>(i * n + j)]; c >= 0)
+        laws_of_types_[static_cast<std::size_t>(i * n + j)] =
+            laws_of_types_[static_cast<std::size_t>(j * n + i)] = laws_[static_cast<std::size_t>(c)].get();
 }
 
 double PairPlaten::init_one(int i, int j) {
@@ -182,23 +186,6 @@ void PairPlaten::transfer_history(double* from, double* to) {
   const dem::Memory& m = *reinterpret_cast<const dem::Memory*>(from);
   const double* s = m.tangential;
   *reinterpret_cast<dem::Memory*>(to) = {m.gamma_max, {-s[0], -s[1], -s[2]}, m.k_t};
-}
-
-void PairPlaten::find_classes() {
-  const int all = atom->nlocal + atom->nghost;
-  class_of_.resize(static_cast<std::size_t>(all));
-  platen_try(
-      error, FLERR, "Pair platen",
-      [&] {
-        int last = -1, type = -1;
-        double radius = -1;
-        for (int i = 0; i < all; i++) {
-          if (last < 0 || atom->type[i] != type || atom->radius[i] != radius)
-            last = laws_.class_of(type = atom->type[i], radius = atom->radius[i]);
-          class_of_[static_cast<std::size_t>(i)] = last;
-        }
-      },
-      true);
 }
 
 /// A contact whose other sphere is a ghost is met twice, here and where that sphere is owned (or its image).
@@ -226,9 +213,8 @@ void PairPlaten::warn_beyond(bool last) {
 
 void PairPlaten::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
-  if (neighbor->ago == 0 || class_of_.size() != static_cast<std::size_t>(atom->nlocal + atom->nghost))
-    find_classes();
-  if (laws_.classes() > 0) contacts();
+  platen_try(
+      error, FLERR, "Pair platen", [&] { contacts(); }, true);
   if (neighbor->ago == 0) warn_beyond(false); // on all ranks alike
 }
 
@@ -239,7 +225,7 @@ struct PairPlaten::Block {
   int count = 0;
   int i[size], j[size];
   dem::Memory* memory[size];
-  const dem::Terms* terms[size];
+  dem::Laws* laws[size];
   double r[size], reach[size], d[size][3];  // distance, sum of radii, x_i - x_j
   double F[size], stiffness[size], a[size]; // of the law; F in units of the run
 };
@@ -248,13 +234,13 @@ void PairPlaten::contacts() {
   Block block;
   double* const* x = atom->x;
   const double* radius = atom->radius;
-  const int classes = laws_.classes(), *class_of = class_of_.data();
+  const int *type = atom->type, types = atom->ntypes + 1;
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii], count = list->numneigh[i], *neighbours = list->firstneigh[i];
     const double xi = x[i][0], yi = x[i][1], zi = x[i][2], radius_i = radius[i];
     int* const touch = history_->firstflag[i];
     auto* const remembered = reinterpret_cast<dem::Memory*>(history_->firstvalue[i]);
-    const dem::Terms* const row = laws_.terms() + static_cast<std::ptrdiff_t>(class_of[i]) * classes;
+    dem::Laws* const* const row = laws_of_types_.data() + static_cast<std::ptrdiff_t>(type[i]) * types;
     for (int jj = 0; jj < count; jj++) {
       const int j = neighbours[jj] & NEIGHMASK;
       const double dx = xi - x[j][0], dy = yi - x[j][1], dz = zi - x[j][2];
@@ -267,7 +253,7 @@ void PairPlaten::contacts() {
       const int c = block.count++;
       block.i[c] = i, block.j[c] = j;
       block.memory[c] = &remembered[jj];
-      block.terms[c] = &row[class_of[j]];
+      block.laws[c] = row[type[j]];
       block.r[c] = std::sqrt(rsq), block.reach[c] = reach;
       block.d[c][0] = dx, block.d[c][1] = dy, block.d[c][2] = dz;
       if (block.count == Block::size) follow(block);
@@ -277,28 +263,31 @@ void PairPlaten::contacts() {
 }
 
 void PairPlaten::follow(Block& block) {
-  const int kind = laws_.only_kind();
-  if (kind < 0) laws_of<law::AnyLaw>(block);
-  else [&]<std::size_t... I>(std::index_sequence<I...>) { // one law alone: its own loop
-      ((static_cast<int>(I) == kind ? laws_of<std::variant_alternative_t<I, law::AnyLaw>>(block) : void()),
-       ...);
-    }
-  (std::make_index_sequence<std::variant_size_v<law::AnyLaw>>{});
+  laws_of(block);
   if (any_friction_) any_damping_ ? forces<true, true>(block) : forces<true, false>(block);
   else any_damping_ ? forces<false, true>(block) : forces<false, false>(block);
   block.count = 0;
 }
 
-template <class Law> void PairPlaten::laws_of(Block& block) {
-  const dem::Units u = units_;
-  const double per_force = 1 / u.force;
+/// The radius of the sphere of the first type comes first.
+dem::Laws::At PairPlaten::at(dem::Laws& laws, int i, int j) const {
+  const bool swapped = atom->type[i] > atom->type[j];
+  return laws.at(atom->radius[swapped ? j : i], atom->radius[swapped ? i : j]);
+}
+
+void PairPlaten::laws_of(Block& block) {
+  const double length = units_.length, per_force = 1 / units_.force;
   for (int c = 0; c < block.count; c++) {
     dem::Memory& m = *block.memory[c];
-    const dem::Terms& t = *block.terms[c];
+    dem::Laws& laws = *block.laws[c];
+    const dem::Laws::At here = at(laws, block.i[c], block.j[c]);
     const double before = m.gamma_max;
-    const law::Response now = dem::normal(law_as<Law>(*t.law), u, block.reach[c] - block.r[c], m);
-    if (t.gamma_valid < m.gamma_max && !(t.gamma_valid < before)) [[unlikely]]
-      beyond(t.contact, block.j[c]);
+    const law::Response now = dem::respond(here, before, (block.reach[c] - block.r[c]) * length);
+    m.gamma_max = now.state.gamma_max;
+    const double x = m.gamma_max * here.scale.x_per_gamma;
+    if (before < m.gamma_max && !laws.valid(*here.table, x) &&
+        laws.valid(*here.table, before * here.scale.x_per_gamma)) [[unlikely]]
+      beyond(laws.index, block.j[c]);
     block.F[c] = now.force * per_force;
     block.stiffness[c] = now.stiffness;
     block.a[c] = now.contact_radius;
@@ -313,7 +302,7 @@ template <bool friction, bool damping> void PairPlaten::forces(const Block& bloc
   const double dt = update->setupflag ? 0.0 : update->dt; // setup moves nothing
   for (int c = 0; c < block.count; c++) {
     const int i = block.i[c], j = block.j[c];
-    const dem::Terms& t = *block.terms[c];
+    const dem::Laws& laws = *block.laws[c];
     const double rinv = 1 / block.r[c];
     const double n[3] = {block.d[c][0] * rinv, block.d[c][1] * rinv, block.d[c][2] * rinv};
     double F = block.F[c];
@@ -326,7 +315,7 @@ template <bool friction, bool damping> void PairPlaten::forces(const Block& bloc
       double mass = rmass[i] * rmass[j] / (rmass[i] + rmass[j]);
       if (mask[i] & freeze_) mass = rmass[j];
       if (mask[j] & freeze_) mass = rmass[i];
-      F = dem::damped(t, u, block.stiffness[c], F, mass, v_n);
+      F = dem::damped(laws.damping, u, block.stiffness[c], F, mass, v_n);
     }
     double push[3] = {F * n[0], F * n[1], F * n[2]};
     if constexpr (friction) {
@@ -337,7 +326,7 @@ template <bool friction, bool damping> void PairPlaten::forces(const Block& bloc
       w[0] -= v_n * n[0] + n[2] * wr[1] - n[1] * wr[2];
       w[1] -= v_n * n[1] + n[0] * wr[2] - n[2] * wr[0];
       w[2] -= v_n * n[2] + n[1] * wr[0] - n[0] * wr[1];
-      dem::slide(t, block.a[c], F, n, w, dt, *block.memory[c]);
+      dem::slide(laws.shear, laws.contact.friction, block.a[c], F, n, w, dt, *block.memory[c]);
       const double* s = block.memory[c]->tangential;
       const double turn[3] = {n[1] * s[2] - n[2] * s[1], n[2] * s[0] - n[0] * s[2],
                               n[0] * s[1] - n[1] * s[0]};
@@ -364,8 +353,11 @@ double PairPlaten::single(int i, int j, int, int, double rsq, double, double, do
   fforce = 0;
   std::fill(svector, svector + single_extra, 0.0);
   const double reach = atom->radius[i] + atom->radius[j];
-  const auto known = static_cast<int>(class_of_.size());
-  if (rsq >= reach * reach || i >= known || j >= known) return 0;
+  dem::Laws* const laws =
+      laws_of_types_.empty()
+          ? nullptr
+          : laws_of_types_[static_cast<std::size_t>(atom->type[i] * (atom->ntypes + 1) + atom->type[j])];
+  if (rsq >= reach * reach || !laws) return 0;
   dem::Memory m{};
   double sign = 1;
   const auto find = [&](int of, int other) {
@@ -379,9 +371,7 @@ double PairPlaten::single(int i, int j, int, int, double rsq, double, double, do
   };
   if (!find(i, j) && find(j, i)) sign = -1;
   const double r = std::sqrt(rsq);
-  const int a = class_of_[static_cast<std::size_t>(i)], b = class_of_[static_cast<std::size_t>(j)];
-  const law::Response now =
-      law::evaluate(laws_.law_of(a, b), law::State{0, m.gamma_max}, (reach - r) * units_.length);
+  const law::Response now = dem::respond(at(*laws, i, j), m.gamma_max, (reach - r) * units_.length);
   const double F = now.force / units_.force;
   svector[0] = reach - r;
   svector[1] = F;
@@ -394,6 +384,7 @@ double PairPlaten::single(int i, int j, int, int, double rsq, double, double, do
 }
 
 double PairPlaten::memory_usage() {
-  return static_cast<double>(class_of_.size()) * sizeof(int) +
-         static_cast<double>(laws_.classes()) * laws_.classes() * sizeof(law::AnyLaw) / 2;
+  double sum = 0;
+  for (const auto& laws : laws_) sum += static_cast<double>(laws->bytes());
+  return sum;
 }

@@ -1,7 +1,7 @@
 #pragma once
 // pair_style platen: contact laws of Platen between spheres.
 
-#include "contact_laws.hpp"
+#include "dem/contacts.hpp"
 #include "host.hpp"
 
 namespace LAMMPS_NS {
@@ -30,20 +30,20 @@ class PairPlaten : public Pair {
 
  private:
   void allocate();
-  void find_classes();
   void contacts();
   void warn_beyond(bool last);
   void beyond(int contact, int j);
   struct Block;
   void follow(Block&);
-  template <class Law> void laws_of(Block&);
+  platen::dem::Laws::At at(platen::dem::Laws&, int i, int j) const;
+  void laws_of(Block&);
   template <bool friction, bool damping> void forces(const Block&);
 
   std::vector<platen::dem::Contact> contacts_;
   std::vector<int> contact_of_types_;
-  platen::dem::LawTable laws_;
+  std::vector<std::unique_ptr<platen::dem::Laws>> laws_; // of each pair_coeff
+  std::vector<platen::dem::Laws*> laws_of_types_;        // [type * (types + 1) + type]; null: none
   platen::dem::Units units_;
-  std::vector<int> class_of_; // of owned and ghost atoms
   std::vector<double> largest_radius_;
   std::vector<long> beyond_; // twice the contacts that left the validity of their card, by pair_coeff; on this rank
   std::vector<bool> warned_;

@@ -30,7 +30,7 @@ struct Row {
 
 std::vector<double> asked_overlaps(const Options& options) {
   if (options.overlap.empty() == options.path.empty())
-    throw core::InvalidInput("give either --overlap FROM:TO:COUNT or --path FILE");
+    throw core::InvalidInput("give either --overlap FROM:TO:COUNT (or one overlap) or --path FILE");
   if (!options.overlap.empty()) return overlaps_of(options.overlap);
   const auto csv = core::read_csv(options.path);
   const auto column = csv.column("overlap_m");
@@ -69,7 +69,7 @@ std::string json_of(const fit::LawCard& card, const std::vector<Row>& rows) {
 
 void eval(const Options& options) {
   const fit::LawCard card = card_of(options.law);
-  const law::AnyLaw law = fit::make_law(card, parameters_of(options.law));
+  const law::Law law = fit::make_law(card, parameters_of(options.law));
   const double to_delta_bar = delta_bar_per_overlap(law);
   std::vector<Row> rows;
   law::State state;
@@ -97,7 +97,7 @@ void add_eval(Command program) {
   auto command = program.add_subcommand("eval", "force, contact radius and stiffness of a law over overlap");
   auto options = std::make_shared<Options>();
   add_law_arguments(command, options->law);
-  command.add_option("--overlap", options->overlap, "FROM:TO:COUNT [m], both ends included");
+  command.add_option("--overlap", options->overlap, "FROM:TO:COUNT [m], both ends included, or one overlap");
   command.add_option("--path", options->path, "CSV with the column overlap_m; the state is carried along");
   command.add_option("-o", options->output, "file to write instead of printing");
   command.add_flag("--json", options->json, "for a machine to read");

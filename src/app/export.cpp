@@ -20,7 +20,7 @@ struct Options {
 
 /// The loading curve, and for every point of it the unloading curve that starts there:
 /// F = F_max (1 - rate (overlap_max - overlap))^alpha.
-std::string table_of(const fit::LawCard& card, const law::AnyLaw& law, const std::vector<double>& overlaps) {
+std::string table_of(const fit::LawCard& card, const law::Law& law, const std::vector<double>& overlaps) {
   std::string text =
       fmt::format("# law = {}\n# variant = {}\n", card.law, card.variant.empty() ? "default" : card.variant);
   for (const auto& [key, value] : card.parameters) text += fmt::format("# {} = {}\n", key, value);
@@ -32,13 +32,7 @@ std::string table_of(const fit::LawCard& card, const law::AnyLaw& law, const std
   for (double overlap : overlaps) {
     if (!(overlap > 0)) throw core::InvalidInput("a table needs overlaps above 0; at 0 the force is 0");
     const auto r = law::evaluate(law, {}, overlap);
-    const auto end = std::visit(
-        [&](const auto& l) {
-          if (overlap <= l.gamma_elastic) // retraces
-            return law::Unloading<double>{1 / overlap, r.stiffness * overlap / r.force};
-          return law::peak_at(l, overlap).end;
-        },
-        law);
+    const auto end = law::unloading_at(law, overlap);
     fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{}\n", core::number_text(overlap),
                    core::number_text(r.force), core::number_text(r.stiffness),
                    core::number_text(r.contact_radius), core::number_text(end.rate),
@@ -50,7 +44,7 @@ std::string table_of(const fit::LawCard& card, const law::AnyLaw& law, const std
 void export_table(const Options& options) {
   fit::LawCard card = card_of(options.law);
   const auto more = parameters_of(options.law);
-  const law::AnyLaw law = fit::make_law(card, more);
+  const law::Law law = fit::make_law(card, more);
   for (const auto& [key, value] : more) card.parameters[key] = value;
   const std::string text = table_of(card, law, overlaps_of(options.overlap));
   if (options.output.empty()) fmt::print("{}", text);

@@ -29,7 +29,7 @@ struct Options {
 constexpr double safety = 0.1;
 
 /// Largest stiffness up to `gamma`, on the loading curve and where unloading leaves it.
-double stiffest(const law::AnyLaw& law, double gamma) {
+double stiffest(const law::Law& law, double gamma) {
   constexpr int points = 2000;
   double k = 0;
   for (int i = 1; i <= points; ++i) {
@@ -48,7 +48,7 @@ struct Stiffest {
 };
 
 Stiffest stiffest_of(const fit::LawCard& card, const Options& options) {
-  const law::AnyLaw law = fit::make_law(card, {{"radius_m", fmt::format("{}", options.radius)}});
+  const law::Law law = fit::make_law(card, {{"radius_m", fmt::format("{}", options.radius)}});
   const double delta_bar = options.delta_bar > 0 ? options.delta_bar
                            : card.delta_bar      ? (*card.delta_bar)[1]
                                                  : 0;

@@ -61,8 +61,14 @@ std::vector<double> overlaps_of(const std::string& range) {
     if (!value) throw InvalidInput(fmt::format("--overlap {}: '{}' is not a number", range, parts[i]));
     return *value;
   };
+  if (parts.size() == 1) {
+    const double one = number(0);
+    if (!std::isfinite(one))
+      throw InvalidInput(fmt::format("--overlap {}: it must be a finite number", range));
+    return {one};
+  }
   if (parts.size() != 3)
-    throw InvalidInput(fmt::format("--overlap {} is not of the form FROM:TO:COUNT", range));
+    throw InvalidInput(fmt::format("--overlap {} is not of the form FROM:TO:COUNT, nor one number", range));
   const double from = number(0), to = number(1), count = number(2);
   if (!std::isfinite(from) || !std::isfinite(to))
     throw InvalidInput(fmt::format("--overlap {}: both ends must be finite numbers", range));
@@ -75,8 +81,6 @@ std::vector<double> overlaps_of(const std::string& range) {
   return overlaps;
 }
 
-double delta_bar_per_overlap(const law::AnyLaw& law) {
-  return std::visit([](const auto& l) { return l.pair.x_per_gamma; }, law);
-}
+double delta_bar_per_overlap(const law::Law& law) { return law.scale.x_per_gamma; }
 
 } // namespace platen::app

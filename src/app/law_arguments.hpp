@@ -28,6 +28,6 @@ law::ParameterTexts parameters_of(const LawArguments&);
 std::vector<double> overlaps_of(const std::string& range);
 
 /// delta/R of an overlap under this law; twice the fraction of the radius that each of two spheres gives way.
-double delta_bar_per_overlap(const law::AnyLaw&);
+double delta_bar_per_overlap(const law::Law&);
 
 } // namespace platen::app

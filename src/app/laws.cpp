@@ -66,7 +66,16 @@ void print_initial_yield(const Options& options, bool as_json) {
   arguments.law = "wang";
   arguments.parameters = options.parameters;
   const auto texts = parameters_of(arguments);
-  const auto law = std::get<law::Wang<double>>(fit::make_law(card_of(arguments), texts));
+  (void)fit::make_law(card_of(arguments), texts); // refuses what is no geometry or material
+  const law::LawInfo& info = law::find_law("wang");
+  law::ParameterTexts second = texts;
+  if (texts.contains("E2_Pa")) second["E_Pa"] = texts.at("E2_Pa");
+  if (texts.contains("nu2")) second["nu"] = texts.at("nu2");
+  const law::Reader a(info, texts, "generic"), b(info, second, "generic");
+  const double R = a("radius_m"), R2 = a.given("radius2_m") ? a("radius2_m") : R;
+  const bool on_plane = a.word("against") == "plane";
+  const auto law = on_plane ? law::prepare_on_rigid_plane(law::WangMaterial::read(a), R)
+                            : law::prepare(law::WangMaterial::read(a), R, law::WangMaterial::read(b), R2);
   // Of the two bodies the one that yields first; they share strength and friction.
   const auto number = [&](const std::string& key) { return core::number_from(texts.at(key)).value(); };
   const auto yield_of = [&](const std::string& nu) {

@@ -1,6 +1,5 @@
 #include "platen_law.h"
 
-#include "platen/law/batch.hpp"
 #include "platen/law/catalogue.hpp"
 
 #include <cstring>
@@ -8,13 +7,13 @@
 #include <type_traits>
 
 struct platen_law {
-  platen::law::AnyLaw law;
+  platen::law::Law law;
 };
 
 namespace {
 
 using platen::law::State;
-static_assert(sizeof(State) == sizeof(platen_law_state) && std::is_trivially_copyable_v<State>);
+static_assert(std::is_trivially_copyable_v<State> && sizeof(State) % sizeof(double) == 0);
 static_assert(static_cast<int>(platen::law::Branch::reloading) == PLATEN_RELOADING);
 
 void tell(char* message, size_t size, const char* what) {
@@ -24,6 +23,15 @@ void tell(char* message, size_t size, const char* what) {
 }
 
 const char* or_empty(const char* text) { return text ? text : ""; }
+
+/// The caller's bytes may lie anywhere.
+platen::law::Response advance(const platen_law* law, void* state, double overlap) {
+  State memory;
+  std::memcpy(&memory, state, sizeof memory);
+  const auto now = platen::law::evaluate(law->law, memory, overlap);
+  std::memcpy(state, &now.state, sizeof memory);
+  return now;
+}
 
 } // namespace
 
@@ -40,25 +48,25 @@ extern "C" platen_law* platen_law_new(const char* law, const char* variant, cons
 
 extern "C" void platen_law_free(platen_law* law) { delete law; }
 
-extern "C" platen_law_response platen_law_evaluate(const platen_law* law, platen_law_state* state,
-                                                   double overlap_m) {
-  const auto now = platen::law::evaluate(law->law, {state->gamma, state->gamma_max}, overlap_m);
-  *state = {now.state.gamma, now.state.gamma_max};
+extern "C" size_t platen_law_state_size(const platen_law*) { return sizeof(State); }
+extern "C" unsigned platen_law_state_version(const platen_law*) { return platen::law::state_version; }
+extern "C" const char* platen_law_state_name(const platen_law*, size_t i) {
+  return i < std::size(platen::law::state_names) ? platen::law::state_names[i] : nullptr;
+}
+
+extern "C" platen_law_response platen_law_evaluate(const platen_law* law, void* state, double overlap_m) {
+  const auto now = advance(law, state, overlap_m);
   return {now.force,           now.stiffness,       now.contact_radius,
           now.mean_pressure,   now.dissipated_work, static_cast<int>(now.branch),
           now.in_range ? 1 : 0};
 }
 
 extern "C" void platen_law_evaluate_all(const platen_law* law, size_t n, const double* overlap_m,
-                                        platen_law_state* state, double* force_N, double* stiffness_N_per_m) {
-  std::visit(
-      [&](const auto& l) {
-        for (size_t i = 0; i < n; ++i) {
-          const auto now = evaluate(l, State{state[i].gamma, state[i].gamma_max}, overlap_m[i]);
-          state[i] = {now.state.gamma, now.state.gamma_max};
-          force_N[i] = now.force;
-          if (stiffness_N_per_m) stiffness_N_per_m[i] = now.stiffness;
-        }
-      },
-      law->law);
+                                        void* states, double* force_N, double* stiffness_N_per_m) {
+  char* state = static_cast<char*>(states);
+  for (size_t i = 0; i < n; ++i, state += sizeof(State)) {
+    const auto now = advance(law, state, overlap_m[i]);
+    force_N[i] = now.force;
+    if (stiffness_N_per_m) stiffness_N_per_m[i] = now.stiffness;
+  }
 }

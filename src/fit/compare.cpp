@@ -115,7 +115,7 @@ Reference reference_of(const press::Curve& curve, std::string name) {
   return r;
 }
 
-Trace trace_of(const law::AnyLaw& law, const Reference& reference, std::string name) {
+Trace trace_of(const law::Law& law, const Reference& reference, std::string name) {
   Trace t{std::move(name), {}, {}, {}, {}};
   for (double delta : reference.delta) {
     const law::Response now = law::evaluate(law, {}, delta);

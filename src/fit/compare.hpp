@@ -32,7 +32,7 @@ struct Reference {
 Reference reference_of(const press::Curve&, std::string name);
 
 /// A law, for a sphere of the reference's radius on a rigid plane.
-Trace trace_of(const law::AnyLaw&, const Reference&, std::string name);
+Trace trace_of(const law::Law&, const Reference&, std::string name);
 /// Another curve, interpolated; its own radius makes overlaps and forces comparable as delta/R and F/R^2.
 Trace trace_of(const press::Curve&, const Reference&, std::string name);
 

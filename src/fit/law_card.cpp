@@ -180,7 +180,7 @@ std::string text_of(const LawCard& card) {
   return text;
 }
 
-law::AnyLaw make_law(const LawCard& card, const law::ParameterTexts& more) {
+law::Law make_law(const LawCard& card, const law::ParameterTexts& more) {
   law::ParameterTexts parameters = card.parameters;
   for (const auto& [key, value] : more) parameters[key] = value;
   try {

@@ -40,6 +40,6 @@ std::string text_of(const LawCard&);
 
 /// The law of a card, or of a bare name, ready to be evaluated. `more`: parameters that add to those of the
 /// card or replace them. Throws core::InvalidInput.
-law::AnyLaw make_law(const LawCard&, const law::ParameterTexts& more);
+law::Law make_law(const LawCard&, const law::ParameterTexts& more);
 
 } // namespace platen::fit

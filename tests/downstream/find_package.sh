@@ -11,5 +11,6 @@ for language in CXX C; do
   "$1" -G Ninja -S "$here" -B "$work/$language" -DLANGUAGE=$language -DCMAKE_PREFIX_PATH="$work/prefix" >> "$work/log" 2>&1 &&
     "$1" --build "$work/$language" >> "$work/log" 2>&1 || { cat "$work/log"; exit 1; }
   got=$("$work/$language/ten_lines")
-  [ "$got" = "15.026167 1" ] || { echo "$language printed '$got'"; exit 1; }
+  echo "$got" | awk '{ d = $1 / 15.026167 - 1; exit !(d * d < 1e-10 && $2 == 1) }' || # to 1e-5: it comes from a table
+    { echo "$language printed '$got'"; exit 1; }
 done

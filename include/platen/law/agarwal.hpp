@@ -10,9 +10,10 @@
 #include "platen/law/agarwal_curve.hpp"
 #include "platen/law/curve_table.hpp"
 #include "platen/law/pair.hpp"
-#include "platen/law/peak_table.hpp"
+#include "platen/law/parameter_reader.hpp"
 
 #include <tuple>
+#include <vector>
 
 namespace platen::law {
 
@@ -23,6 +24,33 @@ struct AgarwalMaterial {
   LoadingCase loading = LoadingCase::simple;
   AgarwalVariant variant = AgarwalVariant::hertz_radius; ///< the same on both sides
   AgarwalCoefficients<double> coefficients = {};         ///< 0: published; of the softer side
+
+  static LawInfo info() {
+    return {"agarwal",
+            "elastic, perfectly plastic spheres, large deformation",
+            "Agarwal, Shahin & Gonzalez: Shahin's thesis, (2.12)-(2.48)",
+            "lambda = E/((1 - nu^2) sigma_y) 117-5933 (formally >= 22.1); delta/R <= 0.5, in a cell a little "
+            "past full",
+            "hertz-radius|published",
+            with_coefficients({youngs_modulus(), poissons_ratio(), yield_stress()}, agarwal_coefficients),
+            {loading_case(),
+             {"kind", "secondary: the sides of a particle in a die; refused, see docs/laws/agarwal.md",
+              "primary|secondary"}}};
+  }
+  static AgarwalMaterial read(const Reader& p) {
+    if (p.word("kind") == "secondary")
+      throw BadParameter(
+          "agarwal: kind = secondary is no law of its own overlap: the thesis gives the sides of a particle "
+          "in a die "
+          "over the overlap of the primary contacts, force up to x = gamma/2R = 0.1 and pressure from about "
+          "0.41 on, "
+          "nothing between and no unloading; allowed here is primary (C++: secondary_contact() in "
+          "agarwal_secondary.hpp)");
+    AgarwalMaterial m{p("E_Pa"), p("nu"), p("sigma_y_Pa"), p.loading()};
+    m.variant = p.variant == "published" ? AgarwalVariant::published : AgarwalVariant::hertz_radius;
+    for (const auto& c : agarwal_coefficients) m.coefficients.*c.member = p(c.key);
+    return m;
+  }
 };
 
 struct Agarwal {
@@ -40,10 +68,9 @@ struct Agarwal {
   ClosureTable closure;
   Loading<double> cap; ///< F_bar, dF_bar/dx and a_bar at x_cap
   CurveHistory at_cap;
-  SlopeTable slopes;      ///< from x_y to x_cap
-  LogTable<3, 216> radii; ///< a_bar, from x_y to x_cap: 1e-5 of (2.13)
+  SlopeTable slopes; ///< from x_y to x_cap
+  LogTable<3> radii; ///< a_bar, from x_y to x_cap: 1e-5 of (2.13)
   double slope_at_cap = 0;
-  PeakTable peaks;
 
   /// F_bar, dF_bar/dx and the history, all but the radius.
   PLATEN_HOT void force(double x, Loading<double>& here) const {
@@ -89,6 +116,14 @@ struct Agarwal {
     here.a *= pair.R_e;
     return here;
   }
+
+  [[nodiscard]] std::vector<double> kinks() const {
+    std::vector<double> list;
+    for (const double x : {curve.x_y, curve.x_h, curve.x_joined, curve.x_min, curve.x_zp})
+      list.push_back(x / pair.x_per_gamma);
+    return list;
+  }
+  [[nodiscard]] double gamma_end() const { return x_cap / pair.x_per_gamma; }
 
   [[nodiscard]] PLATEN_HOT bool in_range(double gamma) const {
     const double x = gamma * pair.x_per_gamma;
@@ -203,7 +238,6 @@ inline Agarwal prepare_agarwal(const AgarwalMaterial& m1, const Body& one, const
   law.slopes.make(curve.x_y, law.x_cap, slope);
   law.radii.make(curve.x_y, law.x_cap, [&](double x) { return curve.at(x).a; });
   law.slope_at_cap = slope(law.x_cap) / law.x_cap;
-  law.peaks.make(law, law.gamma_elastic, law.x_cap / law.pair.x_per_gamma);
   return law;
 }
 

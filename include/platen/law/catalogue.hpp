@@ -1,6 +1,13 @@
 #pragma once
-// Every law by name, at run time: what a command line, a law card or the C interface needs. A DEM code that
-// knows its law at compile time includes that law's header alone and calls `prepare` itself.
+// Every law by name, at run time: what a command line, a law card, the C interface or a DEM code needs. A law
+// is a header and a line in LawTypes; its material type says everything else:
+//
+//   static LawInfo info()                    name, source, validity, variants, parameters
+//   static Material read(const Reader&)      from texts
+//   prepare(m1, R1, m2, R2), prepare_on_rigid_plane(m, R)   its formulas (ContactLaw), or BadParameter
+//
+// A law of one's own outside this folder: define PLATEN_OWN_LAWS as the header that has it, with
+// `using OwnLaws = std::tuple<MyMaterial>` in platen::law.
 
 #include "platen/law/agarwal.hpp"
 #include "platen/law/edmans_sinka.hpp"
@@ -11,165 +18,160 @@
 #include "platen/law/kogut_etsion.hpp"
 #include "platen/law/luding.hpp"
 #include "platen/law/mdr.hpp"
-#include "platen/law/parameter_reader.hpp"
+#include "platen/law/pressed.hpp"
 #include "platen/law/shahin.hpp"
 #include "platen/law/similarity.hpp"
+#include "platen/law/tabulate.hpp"
 #include "platen/law/thornton_ning.hpp"
 #include "platen/law/wang.hpp"
 
-#include <string>
-#include <string_view>
-#include <variant>
-#include <vector>
+#include <tuple>
+
+#ifdef PLATEN_OWN_LAWS
+#include PLATEN_OWN_LAWS
+#endif
 
 namespace platen::law {
 
-using AnyLaw = std::variant<Hertz<double>, Similarity<double>, EdmansSinka<double>, Wang<double>, Agarwal,
-                            Shahin, ThorntonNing<double>, KogutEtsion<double>, EtsionUnloading<double>,
-                            JacksonGreen, Mdr, Luding<double>, Eepa<double>>;
+#ifndef PLATEN_OWN_LAWS
+using OwnLaws = std::tuple<>;
+#endif
 
-namespace detail {
+using LawTypes = decltype(std::tuple_cat(
+    std::tuple<HertzMaterial, SimilarityMaterial, EdmansSinkaMaterial, WangMaterial, AgarwalMaterial,
+               ShahinMaterial, ThorntonNingMaterial, KogutEtsionMaterial, EtsionUnloadingMaterial,
+               JacksonGreenMaterial, MdrMaterial, LudingMaterial, EepaMaterial, PressedMaterial>{},
+    OwnLaws{}));
 
-inline LoadingCase loading_of(const Reader& read) {
-  const std::string word = read.word("loading");
-  return word == "die"           ? LoadingCase::die
-         : word == "hydrostatic" ? LoadingCase::hydrostatic
-                                 : LoadingCase::simple;
+/// A law and how it is made.
+struct LawType {
+  LawInfo info;
+  Law (*of_pair)(const Reader& one, double R1, const Reader& two, double R2);
+  Law (*on_plane)(const Reader& one, double R);
+};
+
+inline const std::vector<LawType>& law_types() {
+  static const std::vector<LawType> all = [] {
+    std::vector<LawType> list;
+    const auto add = [&]<class Material>(std::type_identity<Material>) {
+      list.push_back({complete(Material::info()),
+                      [](const Reader& one, double R1, const Reader& two, double R2) {
+                        return tabulate(prepare(Material::read(one), R1, Material::read(two), R2));
+                      },
+                      [](const Reader& one, double R) {
+                        return tabulate(prepare_on_rigid_plane(Material::read(one), R));
+                      }});
+    };
+    [&]<class... Material>(std::type_identity<std::tuple<Material...>>) {
+      (add(std::type_identity<Material>{}), ...);
+    }(std::type_identity<LawTypes>{});
+    return list;
+  }();
+  return all;
 }
 
-inline void read_unloading(const Reader& read, EdmansSinkaMaterial& m) {
-  const auto x = read.numbers("unload_delta_bar"), alpha = read.numbers("alpha"), beta = read.numbers("beta");
-  if (x.size() != alpha.size() || x.size() != beta.size())
-    throw BadParameter("edmans-sinka: unload_delta_bar, alpha and beta must have as many values each");
-  require("edmans-sinka", "number of unload_delta_bar", static_cast<double>(x.size()),
-          {0, EdmansSinkaMaterial::most_unloadings});
-  m.unloadings = static_cast<int>(x.size());
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    m.unload_delta_bar[i] = x[i];
-    m.alpha[i] = alpha[i];
-    m.beta[i] = beta[i];
-  }
+inline const std::vector<LawInfo>& laws() {
+  static const std::vector<LawInfo> all = [] {
+    std::vector<LawInfo> list;
+    for (const auto& type : law_types()) list.push_back(type.info);
+    return list;
+  }();
+  return all;
 }
 
-} // namespace detail
-
-inline const LawInfo& find_law(std::string_view name) {
+/// Throws BadParameter.
+inline const LawType& find_type(std::string_view name) {
   std::vector<std::string> known;
-  for (const LawInfo& law : laws()) {
-    if (law.name == name) return law;
-    known.emplace_back(law.name);
+  for (const LawType& type : law_types()) {
+    if (type.info.name == name) return type;
+    known.push_back(type.info.name);
   }
   throw BadParameter("there is no law '" + std::string(name) + "'; known are: " + detail::listed(known));
 }
+inline const LawInfo& find_law(std::string_view name) { return find_type(name).info; }
 
-/// A prepared law from texts. An empty `variant` is the law's default. Throws BadParameter.
-inline AnyLaw make_law(std::string_view name, std::string_view variant, const ParameterTexts& texts) {
-  const LawInfo& info = find_law(name);
-  const auto variants = detail::split(info.variants, '|');
-  std::string chosen(variant.empty() ? variants.front() : std::string(variant));
-  bool known = false;
-  for (const auto& v : variants) known = known || v == chosen;
-  if (!known)
-    throw BadParameter(std::string(name) + ": there is no variant '" + chosen +
-                       "'; known are: " + detail::listed(variants));
+/// A law with its variant; an empty one is the law's default.
+struct LawChoice {
+  std::string name, variant;
+  ParameterTexts parameters; ///< of one body, without radius
 
-  const detail::Reader read(info, texts);
-  const double R = read("radius_m"), R2 = read.second("radius2_m", R);
-  const bool on_plane = read.word("against") == "plane";
-  if (on_plane)
-    for (const char* key : {"radius2_m", "E2_Pa", "nu2", "kappa2_Pa", "sigma_y2_Pa", "p_y2_Pa"})
-      if (read.given(key))
-        throw BadParameter(std::string(name) + ": " + key + " has no meaning against a rigid plane");
-  if (name == "luding") { // no material
-    const LudingMaterial springs{read("k_1_N_per_m"), read("k_2_N_per_m"), read("phi_f")};
-    if (on_plane) return prepare_on_rigid_plane(springs, R);
-    return prepare(springs, R, R2);
+  /// Throws BadParameter.
+  [[nodiscard]] Reader reader() const {
+    const LawInfo& info = find_law(name);
+    const auto variants = detail::split(info.variants, '|');
+    if (variant.empty()) return {info, parameters, variants.front()};
+    if (std::find(variants.begin(), variants.end(), variant) == variants.end())
+      throw BadParameter(name + ": there is no variant '" + variant +
+                         "'; known are: " + detail::listed(variants));
+    return {info, parameters, variant};
   }
-  const double E = read("E_Pa"), nu = read("nu"), E2 = read.second("E2_Pa", E), nu2 = read.second("nu2", nu);
-  const auto prepared = [&](const auto& one, const auto& two) -> AnyLaw {
-    if (on_plane) return prepare_on_rigid_plane(one, R);
-    return prepare(one, R, two, R2);
-  };
+};
 
-  if (name == "hertz") return prepare_hertz(sphere(R, E, nu), on_plane ? rigid_plane() : sphere(R2, E2, nu2));
-  if (name == "similarity") {
-    SimilarityMaterial one{E, nu, read("kappa_Pa"), read("inverse_m")};
-    if (chosen == "curvature-corrected") one.variant = SimilarityVariant::curvature_corrected;
-    SimilarityMaterial two = one;
-    two.E = E2, two.nu = nu2, two.kappa = read.second("kappa2_Pa", one.kappa);
-    return prepared(one, two);
-  }
-  if (name == "edmans-sinka") {
-    EdmansSinkaMaterial one;
-    one.sigma_ref = read("sigma_ref_Pa"), one.E = E, one.nu = nu;
-    one.k = read("k"), one.delta_t = read("delta_t"), one.a = read("a"), one.corner = read("corner");
-    one.variant = chosen == "c1"                    ? EdmansSinkaVariant::c1
-                  : chosen == "hertz-like"          ? EdmansSinkaVariant::hertz_like
-                  : chosen == "published-corrected" ? EdmansSinkaVariant::published_corrected
-                                                    : EdmansSinkaVariant::published;
-    if (chosen == "c1" && !read.given("corner")) one.corner = smaller(0.5, 0.8 / (one.a * one.delta_t));
-    detail::read_unloading(read, one);
-    EdmansSinkaMaterial two = one;
-    two.E = E2, two.nu = nu2;
-    return prepared(one, two);
-  }
-  if (name == "wang") {
-    WangMaterial one{E, nu, read("phi_deg"), read("sigma_c_Pa")};
-    one.variant = chosen == "fitted"      ? WangVariant::fitted
-                  : chosen == "published" ? WangVariant::published
-                                          : WangVariant::generic;
-    one.a = read("a"), one.b = read("b"), one.m = read("m"), one.n = read("n");
-    WangMaterial two = one;
-    two.E = E2, two.nu = nu2;
-    return prepared(one, two);
-  }
-  if (name == "agarwal") {
-    if (read.word("kind") == "secondary")
+/// Two bodies, each with its own parameters. Laws that differ, or that do not take the two, are joined.
+inline Law make_law(const LawChoice& one, double R1, const LawChoice& two, double R2) {
+  const Reader a = one.reader(), b = two.reader();
+  if (one.name == two.name && a.variant == b.variant) try {
+      return find_type(one.name).of_pair(a, R1, b, R2);
+    } catch (const BadParameter&) { // of one of them, or only of the two together
+      if (one.parameters == two.parameters) throw;
+    }
+  const Law like1 = find_type(one.name).of_pair(a, 1, a, 1), like2 = find_type(two.name).of_pair(b, 1, b, 1);
+  for (const auto& [law, name] : {std::pair{&like1, &one.name}, std::pair{&like2, &two.name}})
+    if (law->force_power != 2 || law->table->shape != Shape::power)
       throw BadParameter(
-          "agarwal: kind = secondary is no law of its own overlap: the thesis gives the sides of a particle "
-          "in a die over the overlap of the primary contacts, force up to x = gamma/2R = 0.1 and pressure "
-          "from about 0.41 on, nothing between and no unloading; allowed here is primary (C++: "
-          "secondary_contact() in "
-          "agarwal_secondary.hpp)");
-    AgarwalMaterial one{E, nu, read("sigma_y_Pa"), detail::loading_of(read)};
-    one.variant = chosen == "published" ? AgarwalVariant::published : AgarwalVariant::hertz_radius;
-    for (const auto& c : agarwal_coefficients) one.coefficients.*c.member = read(c.key);
-    AgarwalMaterial two = one;
-    two.E = E2, two.nu = nu2, two.sigma_y = read.second("sigma_y2_Pa", one.sigma_y);
-    return prepared(one, two);
-  }
-  const auto joint = chosen == "published" ? JointVariant::published : JointVariant::joined;
-  const auto plastic = [&]<class Material>(Material one) -> AnyLaw { // E, nu and sigma_y, or p_y
-    Material two = one;
-    two.E = E2, two.nu = nu2;
-    if constexpr (requires { one.p_y; }) two.p_y = read.second("p_y2_Pa", one.p_y);
-    else two.sigma_y = read.second("sigma_y2_Pa", one.sigma_y);
-    return prepared(one, two);
+          *name + ": its " + (law->force_power != 2 ? "springs have" : "unloading has") +
+          " a form of its own, and cannot be joined with another law; give both sides the same");
+  const auto side = [](const Law& like) {
+    const double end = like.table->valid[0][1];
+    return JoinedSide{like.table.get(), larger(0.5, smaller(end, 1.0)), end};
   };
-  if (name == "thornton-ning") return plastic(ThorntonNingMaterial{E, nu, read("p_y_Pa")});
-  if (name == "kogut-etsion") return plastic(KogutEtsionMaterial{E, nu, read("sigma_y_Pa"), joint});
-  if (name == "etsion-unloading") return plastic(EtsionUnloadingMaterial{{E, nu, read("sigma_y_Pa"), joint}});
-  if (name == "jackson-green") return plastic(JacksonGreenMaterial{E, nu, read("sigma_y_Pa"), joint});
-  if (name == "mdr")
-    return plastic(MdrMaterial{E, nu, read("sigma_y_Pa"),
-                               chosen == "published" ? MdrVariant::published : MdrVariant::stiffened});
-  if (name == "eepa") {
-    const EepaMaterial one{E, nu, read("lambda_p"), read("n")};
-    EepaMaterial two = one;
-    two.E = E2, two.nu = nu2;
-    return prepared(one, two);
-  }
-  ShahinMaterial one{E, nu, read("kappa_Pa"), read("inverse_m"), detail::loading_of(read)};
-  one.variant = chosen == "published" ? ShahinVariant::published : ShahinVariant::hardening_minimum;
-  for (const auto& c : shahin_coefficients) one.coefficients.*c.member = read(c.key);
-  ShahinMaterial two = one;
-  two.E = E2, two.nu = nu2, two.kappa = read.second("kappa2_Pa", one.kappa);
-  return prepared(one, two);
+  const auto body = [](const Law& like, double R) {
+    Body own = like.pair.body[0];
+    own.curvature = 1 / R;
+    return own;
+  };
+  return tabulate(join(make_pair(body(like1, R1), body(like2, R2)), side(like1), side(like2)));
+}
+/// What the table of a law is made from: the formulas of one material, for two equal spheres or on a rigid
+/// plane.
+template <class Material> auto formulas(const LawChoice& one, double R) {
+  const Material m = Material::read(one.reader());
+  return prepare(m, R, m, R);
+}
+template <class Material> auto formulas_on_plane(const LawChoice& one, double R) {
+  return prepare_on_rigid_plane(Material::read(one.reader()), R);
 }
 
-/// evaluate() for a law known at run time.
-inline Response evaluate(const AnyLaw& law, const State& state, double overlap) {
-  return std::visit([&](const auto& l) { return evaluate(l, state, overlap); }, law);
+inline Law make_law_on_plane(const LawChoice& one, double R) {
+  return find_type(one.name).on_plane(one.reader(), R);
+}
+
+/// From one set of texts, where the second body's parameters have keys of their own (second_key); what is not
+/// given of it is like the first. Throws BadParameter.
+inline Law make_law(std::string_view name, std::string_view variant, const ParameterTexts& texts) {
+  const LawInfo& info = find_law(name);
+  LawChoice one{std::string(name), std::string(variant), texts};
+  const Reader all = one.reader();
+  const double R = all("radius_m"), R2 = all.given("radius2_m") ? all("radius2_m") : R;
+  const bool on_plane = all.word("against") == "plane";
+  LawChoice two = one;
+  for (LawChoice* body : {&one, &two})
+    for (const char* key : {"radius_m", "radius2_m", "against"}) body->parameters.erase(key);
+  for (const auto& p : info.parameters) {
+    if (p.of != Of::body) continue;
+    const std::string key = second_key(p.key);
+    if (!all.given(key)) continue;
+    if (on_plane)
+      throw BadParameter(std::string(name) + ": " + key + " has no meaning against a rigid plane");
+    two.parameters[p.key] = texts.at(key);
+    one.parameters.erase(key);
+    two.parameters.erase(key);
+    (void)all(key);
+  }
+  if (!on_plane) return make_law(one, R, two, R2);
+  if (all.given("radius2_m"))
+    throw BadParameter(std::string(name) + ": radius2_m has no meaning against a rigid plane");
+  return make_law_on_plane(one, R);
 }
 
 } // namespace platen::law

@@ -29,11 +29,22 @@ namespace platen::law {
 
 enum class Branch : unsigned char { separated, loading, unloading, reloading };
 
+/// How the force falls below the largest overlap.
+enum class Shape : unsigned char {
+  power,     ///< F_max xi^alpha
+  indenter,  ///< of an elliptic indenter in springs (mdr.hpp)
+  difference ///< F_max (u^n - lambda_p)/(1 - lambda_p), u = gamma/gamma_max (eepa.hpp)
+};
+
 /// What one contact remembers. Zero at first touch; both sides share it, so swapping them changes nothing.
 template <class Real = double> struct BasicState {
   Real gamma{};     ///< last overlap [m]; tells unloading from reloading
   Real gamma_max{}; ///< largest overlap so far [m]
 };
+
+/// What the memory of a contact is called, in its order, and the version of that order.
+inline constexpr const char* state_names[] = {"gamma [m]", "gamma_max [m]"};
+inline constexpr unsigned state_version = 1;
 
 template <class Real = double> struct BasicResponse {
   Real force{};           ///< [N]
@@ -160,27 +171,18 @@ PLATEN_HOT Peak<Real> formula_peak(const Law& law, const Real& gamma) {
   return {l.F, l.slope, l.a, law.unloading(gamma, l), law.work(gamma)};
 }
 
-/// Out of line, for laws whose table serves nearly always.
-template <ContactLaw Law, class Real = typename Law::Scalar>
-PLATEN_RARE Peak<Real> rare_peak(const Law& law, const Real& gamma) {
-  return formula_peak(law, gamma);
-}
-
-/// From the law's table (peak_table.hpp), where it has one that holds here.
-template <ContactLaw Law, class Real = typename Law::Scalar>
-PLATEN_HOT Peak<Real> peak_at(const Law& law, const Real& gamma) {
-  if constexpr (requires(Peak<Real> peak) { law.peaks.at(gamma, peak); }) {
-    Peak<Real> peak;
-    return law.peaks.at(gamma, peak) ? peak : rare_peak(law, gamma);
-  } else return formula_peak(law, gamma);
-}
-
 /// The whole law in one pure step: remembered state and overlap in, response and new state out. On the
 /// loading curve the unloading formula returns F_max itself, so loading and unloading share one path without
 /// a branch.
 template <ContactLaw Law, class Real = typename Law::Scalar>
 PLATEN_HOT BasicResponse<Real> evaluate(const Law& law, const BasicState<Real>& old, const Real& overlap) {
   BasicResponse<Real> now;
+  if (overlap != overlap) { // no number: no answer, and the memory stays
+    now.force = now.stiffness = now.contact_radius = now.mean_pressure = now.dissipated_work = overlap;
+    now.state = old;
+    now.in_range = false;
+    return now;
+  }
   const bool beyond = law.gamma_limit < overlap;
   const Real gamma = beyond ? Real(law.gamma_limit) : overlap;
   const Real gamma_max = larger(gamma, old.gamma_max);
@@ -190,7 +192,7 @@ PLATEN_HOT BasicResponse<Real> evaluate(const Law& law, const BasicState<Real>& 
   const bool elastic = gamma_max <= law.gamma_elastic;
   const Real top = elastic ? gamma : gamma_max; // where the loading curve is left
   if (!(Real(0) < top)) return now;             // never touched, or apart without a trace
-  const Peak<Real> peak = peak_at(law, top);
+  const Peak<Real> peak = formula_peak(law, top);
   if (!(Real(0) < peak.F)) return now;
   const Unloading<Real>& end = peak.end;
   now.dissipated_work = elastic ? Real(0) : detail::dissipated_work(top, peak);

@@ -29,8 +29,8 @@ struct CurveHistory {
   }
 };
 
-/// S gamma_max [N] against x: what unloading_from_slope takes. 26 octaves.
-using SlopeTable = LogTable<2, 108>;
+/// S gamma_max [N] against x: what unloading_from_slope takes.
+using SlopeTable = LogTable<2>;
 
 class LoadingTable {
  public:
@@ -38,6 +38,7 @@ class LoadingTable {
 
   /// `sample(x)` on [low, high]; `start` is the history at `low`.
   template <class Sample> void make(double low, double high, CurveHistory start, const Sample& sample) {
+    first_ = start;
     force_.make(
         low, high,
         [&](double x) {
@@ -49,7 +50,8 @@ class LoadingTable {
             const double x = left + (right - left) * k / 4;
             start.pass(x, sample(x));
           }
-          for (int j = first; j <= last; ++j) history_[j] = start; // steepest and least: of this whole cell
+          for (int j = first; j <= last; ++j)
+            history_.push_back(start); // steepest and least: of this whole cell
           start.work += cubic.integral(right - left);
         });
     end = start;
@@ -61,9 +63,10 @@ class LoadingTable {
   /// Everything but the radius.
   PLATEN_HOT void at(double x, Loading<double>& here) const {
     force_.at(x, here.F, here.slope);
-    const CurveHistory& h = history_[force_.index(x)];
-    here.steepest = h.steepest;
-    here.least_a = h.least_a;
+    const std::size_t i = force_.index(x);
+    const double t = force_.share(x);
+    here.steepest = before(i).steepest + t * (history_[i].steepest - before(i).steepest);
+    here.least_a = before(i).least_a + t * (history_[i].least_a - before(i).least_a);
   }
 
   [[nodiscard]] PLATEN_FUNCTION double work(double x) const {
@@ -71,10 +74,11 @@ class LoadingTable {
   }
 
  private:
-  static constexpr int most_cells = 416; // 26 octaves, from 1.5e-8 to 1
-  using Force = LogTable<4, most_cells>;
+  using Force = LogTable<4>;
   Force force_;
-  CurveHistory history_[most_cells];
+  [[nodiscard]] const CurveHistory& before(std::size_t i) const { return i > 0 ? history_[i - 1] : first_; }
+  CurveHistory first_;
+  std::vector<CurveHistory> history_;
 };
 
 class ClosureTable {
@@ -87,6 +91,7 @@ class ClosureTable {
   template <class Sample>
   void make(LoadingCase loading, double chi_min, double chi_zp, double l, double X_end, CurveHistory start,
             const Sample& sample) {
+    first_ = start;
     loading_ = loading;
     chi_min_ = chi_min;
     inverse_span_ = 1 / (chi_zp - chi_min);
@@ -123,8 +128,9 @@ class ClosureTable {
     const int i = index(y);
     const double t = y - i * h_;
     here.F = force_[i].value(t);
-    here.steepest = history_[i].steepest;
-    here.least_a = history_[i].least_a;
+    const CurveHistory &from = i > 0 ? history_[i - 1] : first_, &to = history_[i];
+    here.steepest = from.steepest + t / h_ * (to.steepest - from.steepest);
+    here.least_a = from.least_a + t / h_ * (to.least_a - from.least_a);
     // dy/dx = dX/dx l X / ((1 - l X^2) y)
     here.slope = force_[i].slope(t) * cell_volume_ratio_slope(loading_, x) * inverse_span_ * l_ * X /
                  ((1 - l_ * X * X) * y);
@@ -167,7 +173,7 @@ class ClosureTable {
   double chi_min_ = 0, inverse_span_ = 0, l_ = 1, h_ = 1;
   Cubic force_[cells];
   Cubic work_[cells];
-  CurveHistory history_[cells];
+  CurveHistory first_, history_[cells];
 };
 
 } // namespace platen::law

@@ -12,10 +12,11 @@
 #include "platen/law/contact.hpp"
 #include "platen/law/edmans_sinka_curve.hpp"
 #include "platen/law/pair.hpp"
-#include "platen/law/peak_table.hpp"
+#include "platen/law/parameter_reader.hpp"
 #include "platen/law/radius_polynomial.hpp"
 
 #include <tuple>
+#include <vector>
 
 namespace platen::law {
 
@@ -42,6 +43,45 @@ struct EdmansSinkaMaterial {
   double unload_delta_bar[most_unloadings] = {};
   double alpha[most_unloadings] = {};
   double beta[most_unloadings] = {};
+
+  static LawInfo info() {
+    return {
+        "edmans-sinka",
+        "compressible plastic particles, fitted curve",
+        "Edmans & Sinka (6), (9)-(14)",
+        "delta/R <= 0.5",
+        "published|published-corrected|c1|hertz-like",
+        {{"sigma_ref_Pa", "stress that makes the force dimensionless: the material's yield stress", positive},
+         youngs_modulus(),
+         poissons_ratio(),
+         {"k", "(6), initial slope of F/(pi R^2 sigma_ref) over delta/R", positive},
+         {"delta_t", "(6), end of the first branch in delta/R", {0, 1, true, false}},
+         {"a", "(6), rate of the exponential branch", {0, 50, true, false}},
+         {"corner", "c1: half-width of the rounded corner over delta_t", {0, 1, true, true}, Of::pair, 0.5}},
+        {{"unload_delta_bar", "delta/R at which alpha and beta are given, at most 8", ""},
+         {"alpha", "unloading exponents (9)", ""},
+         {"beta", "secant stiffness ratios (11)", ""}}};
+  }
+  static EdmansSinkaMaterial read(const Reader& p) {
+    EdmansSinkaMaterial m;
+    m.sigma_ref = p("sigma_ref_Pa"), m.E = p("E_Pa"), m.nu = p("nu");
+    m.k = p("k"), m.delta_t = p("delta_t"), m.a = p("a"), m.corner = p("corner");
+    m.variant = p.variant == "c1"                    ? EdmansSinkaVariant::c1
+                : p.variant == "hertz-like"          ? EdmansSinkaVariant::hertz_like
+                : p.variant == "published-corrected" ? EdmansSinkaVariant::published_corrected
+                                                     : EdmansSinkaVariant::published;
+    if (m.variant == EdmansSinkaVariant::c1 && !p.given("corner"))
+      m.corner = smaller(0.5, 0.8 / (m.a * m.delta_t));
+    const auto x = p.numbers("unload_delta_bar"), alphas = p.numbers("alpha"), betas = p.numbers("beta");
+    if (x.size() != alphas.size() || x.size() != betas.size())
+      throw BadParameter("edmans-sinka: unload_delta_bar, alpha and beta must have as many values each");
+    require("edmans-sinka", "number of unload_delta_bar", static_cast<double>(x.size()),
+            {0, most_unloadings});
+    m.unloadings = static_cast<int>(x.size());
+    for (std::size_t i = 0; i < x.size(); ++i)
+      m.unload_delta_bar[i] = x[i], m.alpha[i] = alphas[i], m.beta[i] = betas[i];
+    return m;
+  }
 };
 
 template <class Real = double> struct EdmansSinka {
@@ -54,7 +94,6 @@ template <class Real = double> struct EdmansSinka {
   Real force_scale{};   ///< pi R_e^2 sigma_ref [N]
   Real gamma_elastic{}; ///< 0: the law has no elastic range
   Real gamma_limit{};
-  PeakTable peaks; ///< for double
   int unloadings = 0;
   Real unload_x[EdmansSinkaMaterial::most_unloadings]{};
   Real alpha[EdmansSinkaMaterial::most_unloadings]{};
@@ -68,6 +107,14 @@ template <class Real = double> struct EdmansSinka {
             pair.R_e * radius.a_bar(inside ? x : Real(EdmansSinkaCurve<Real>::x_end)),
             curve.steepest_log_slope(x, steepest_in_corner), inside ? radius_log_slope : Real(0)};
   }
+
+  [[nodiscard]] std::vector<double> kinks() const {
+    std::vector<double> list;
+    for (const double x : curve.kinks()) list.push_back(x / pair.x_per_gamma);
+    for (int i = 0; i < unloadings; ++i) list.push_back(unload_x[i] / pair.x_per_gamma);
+    return list;
+  }
+  [[nodiscard]] Real gamma_end() const { return Real(EdmansSinkaCurve<Real>::x_end) / pair.x_per_gamma; }
 
   [[nodiscard]] PLATEN_HOT bool in_range(const Real& gamma) const {
     return gamma * pair.x_per_gamma <= Real(EdmansSinkaCurve<Real>::x_valid);
@@ -153,7 +200,6 @@ inline EdmansSinka<double> prepare(const EdmansSinkaMaterial& m1, double R1, con
     law.alpha[i] = soft.alpha[i];
     law.beta[i] = soft.beta[i];
   }
-  law.peaks.make(law, 0, EdmansSinkaCurve<double>::x_end / law.pair.x_per_gamma);
   return law;
 }
 
@@ -167,7 +213,6 @@ inline EdmansSinka<double> prepare_on_rigid_plane(const EdmansSinkaMaterial& m, 
   law.force_scale = std::numbers::pi * law.pair.R_e * law.pair.R_e * m.sigma_ref;
   law.gamma_limit = 1000 / law.pair.x_per_gamma;
   law.gamma_elastic = 0;
-  law.peaks.make(law, 0, EdmansSinkaCurve<double>::x_end / law.pair.x_per_gamma);
   return law;
 }
 

@@ -4,6 +4,8 @@
 
 #include "platen/law/contact.hpp"
 
+#include <vector>
+
 namespace platen::law {
 
 enum class EdmansSinkaVariant : unsigned char {
@@ -84,6 +86,12 @@ template <class Real = double> struct EdmansSinkaCurve {
       n = larger(n, Real(1.001) * x * p.slope / p.F_bar);
     }
     return n;
+  }
+
+  /// Where the formula changes.
+  [[nodiscard]] std::vector<Real> kinks() const {
+    if (variant == EdmansSinkaVariant::c1) return {corner_start(), corner_end()};
+    return {delta_t};
   }
 
  private:

@@ -11,6 +11,7 @@
 
 #include "platen/law/contact.hpp"
 #include "platen/law/pair.hpp"
+#include "platen/law/parameter_reader.hpp"
 
 namespace platen::law {
 
@@ -19,6 +20,19 @@ struct EepaMaterial {
   double nu = 0;       ///< Poisson's ratio, in [0, 0.5)
   double lambda_p = 0; ///< contact plasticity 1 - k_1/k_2, in [0, 1)
   double n = 1.5;      ///< exponent, in [1, 2]
+
+  static LawInfo info() {
+    return {"eepa",
+            "springs of overlap^n with hysteresis, calibrated",
+            "Thakur et al. (2014), without adhesion; k_1 as in LAMMPS",
+            "as calibrated",
+            "published",
+            {youngs_modulus(),
+             poissons_ratio(),
+             {"lambda_p", "contact plasticity 1 - k_1/k_2", {0, 1, false, true}},
+             {"n", "exponent", {1, 2}, Of::pair, 1.5}}};
+  }
+  static EepaMaterial read(const Reader& p) { return {p("E_Pa"), p("nu"), p("lambda_p"), p("n")}; }
 };
 
 template <class Real = double> struct Eepa {
@@ -31,6 +45,9 @@ template <class Real = double> struct Eepa {
   Real alpha{};          ///< exponent of the power law that returns the same work [-]
   Real gamma_elastic{};  ///< 0; everything where lambda_p = 0
   Real gamma_limit{};
+  Real lambda_p{}; ///< [-]
+
+  static constexpr Shape shape = Shape::difference;
 
   [[nodiscard]] PLATEN_HOT Loading<Real> loading(const Real& gamma) const {
     using std::pow, std::sqrt;
@@ -51,7 +68,7 @@ template <class Real = double> struct Eepa {
   [[nodiscard]] PLATEN_HOT Loading<Real> on_unloading(const Real& gamma, const Real& gamma_max,
                                                       const Peak<Real>& peak) const {
     using std::pow, std::sqrt;
-    const Real part = pow(gamma / gamma_max, n), lambda_p = Real(1) - k_1 / k_2;
+    const Real part = pow(gamma / gamma_max, n);
     const Real F = peak.F * (part - lambda_p) / (Real(1) - lambda_p);
     return {larger(F, Real(0)), peak.F * n * part / ((Real(1) - lambda_p) * gamma), sqrt(gamma / pair.A)};
   }
@@ -72,6 +89,7 @@ inline Eepa<double> prepare(const EepaMaterial& m1, double R1, const EepaMateria
   Eepa<double> law;
   law.pair = make_pair(sphere(R1, m1.E, m1.nu), sphere(R2, m2.E, m2.nu));
   law.n = m1.n;
+  law.lambda_p = m1.lambda_p;
   law.k_1 = 4.0 / 3 * law.pair.E_star * std::pow(law.pair.A, m1.n - 2);
   law.k_2 = law.k_1 / (1 - m1.lambda_p);
   law.gamma_p_factor = std::pow(m1.lambda_p, 1 / m1.n);

@@ -46,4 +46,13 @@ inline void require(std::string_view law, std::string_view name, double value, c
   throw BadParameter(out.str());
 }
 
+/// A rigid-plastic law with a strength above the modulus gives many times the force of an elastic contact.
+inline void require_softer_than_elastic(std::string_view law, double kappa, double E) {
+  if (!(kappa > E)) return;
+  std::ostringstream out;
+  out << law << ": kappa_Pa = " << kappa << " is above E_Pa = " << E
+      << ": such a body stays elastic, which this law leaves out; take hertz";
+  throw BadParameter(out.str());
+}
+
 } // namespace platen::law

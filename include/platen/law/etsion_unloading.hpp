@@ -16,7 +16,17 @@
 
 namespace platen::law {
 
-struct EtsionUnloadingMaterial : KogutEtsionMaterial {};
+struct EtsionUnloadingMaterial : KogutEtsionMaterial {
+  static LawInfo info() {
+    LawInfo all = KogutEtsionMaterial::info();
+    all.name = "etsion-unloading";
+    all.title = "kogut-etsion with the flattened sphere's unloading";
+    all.source = "Etsion, Kligerman & Kadin (2005), closed form";
+    all.validity = "to 110 overlaps of first yield; published: not where it creates energy";
+    return all;
+  }
+  static EtsionUnloadingMaterial read(const Reader& p) { return {KogutEtsionMaterial::read(p)}; }
+};
 
 template <class Real = double> struct EtsionUnloading : KogutEtsion<Real> {
   using Base = KogutEtsion<Real>;

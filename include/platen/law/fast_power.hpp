@@ -9,17 +9,32 @@
 
 namespace platen::law::detail {
 
-/// Natural logarithm of a positive normal number.
+/// 1/c and ln c of the middles c of 128 parts of [1, 2), for fast_log.
+struct LogParts {
+  static constexpr int bits = 7, count = 1 << bits;
+  double inverse[count] = {}, log[count] = {};
+  constexpr LogParts() {
+    for (int i = 0; i < count; ++i) {
+      const double c = 1 + (i + 0.5) / count, s = (c - 1) / (c + 1), z = s * s;
+      inverse[i] = 1 / c;
+      double sum = 0, power = s; // ln(1/inverse) is ln c to rounding: 2 (s + s^3/3 + s^5/5 + ...)
+      for (int n = 1; n < 40; n += 2, power *= z) sum += power / n;
+      log[i] = 2 * sum;
+    }
+    inverse[0] = 1, log[0] = 0; // exact where x is 1
+  }
+};
+inline constexpr LogParts log_parts;
+
+/// Natural logarithm of a positive normal number, to 1e-15 of 1 or of itself.
 PLATEN_HOT double fast_log(double x) {
-  auto bits = std::bit_cast<std::int64_t>(x);
-  const std::int64_t centred = bits - 0x3fe6'a09e'667f'3bcd; // sqrt(1/2): mantissa into [sqrt(1/2), sqrt(2))
-  const std::int64_t k = centred >> 52;
-  const double m = std::bit_cast<double>(bits - (k << 52));
-  const double s = (m - 1) / (m + 1), z = s * s; // |s| < 0.172; ln m = 2 (s + s^3/3 + s^5/5 + ...)
-  const double z2 = z * z, z4 = z2 * z2;
-  const double series = z * ((1.0 / 3 + z * (1.0 / 5)) + z2 * (1.0 / 7 + z * (1.0 / 9)) +
-                             z4 * ((1.0 / 11 + z * (1.0 / 13)) + z2 * (1.0 / 15 + z * (1.0 / 17))));
-  return static_cast<double>(k) * 0.6931471805599453 + 2 * s * (1 + series);
+  const auto bits = std::bit_cast<std::int64_t>(x);
+  const std::int64_t k = (bits >> 52) - 1023;
+  const double m = std::bit_cast<double>((bits & 0x000f'ffff'ffff'ffff) | 0x3ff0'0000'0000'0000);
+  const auto i = static_cast<int>(bits >> (52 - LogParts::bits)) & (LogParts::count - 1);
+  const double r = m * log_parts.inverse[i] - 1, r2 = r * r; // |r| < 0.008
+  const double series = (-0.5 + r * (1.0 / 3)) + r2 * ((-0.25 + r * 0.2) + r2 * (-1.0 / 6 + r * (1.0 / 7)));
+  return (static_cast<double>(k) * 0.6931471805599453 + log_parts.log[i]) + (r + r2 * series);
 }
 
 /// 2^(i/32) for fast_exp.
@@ -51,8 +66,12 @@ PLATEN_HOT double fast_exp(double x) {
 }
 
 PLATEN_HOT double fast_power(double x, double e) {
+#if defined(__CUDA_ARCH__) || defined(__HIP_DEVICE_COMPILE__)
+  return ::pow(x, e); // tables of the host are not there
+#else
   const double y = e * fast_log(x);
   return y > -700 ? fast_exp(y) : 0;
+#endif
 }
 
 } // namespace platen::law::detail

@@ -6,6 +6,7 @@
 
 #include "platen/law/contact.hpp"
 #include "platen/law/pair.hpp"
+#include "platen/law/parameter_reader.hpp"
 
 namespace platen::law {
 
@@ -42,6 +43,25 @@ inline Hertz<double> prepare_hertz(const Body& one, const Body& two) {
   law.pair = make_pair(one, two);
   law.gamma_limit = law.gamma_elastic = 1000 / law.pair.x_per_gamma;
   return law;
+}
+
+struct HertzMaterial {
+  double E = 0;  ///< Young's modulus [Pa]
+  double nu = 0; ///< Poisson's ratio, in [0, 0.5)
+
+  static LawInfo info() {
+    return {"hertz",           "elastic spheres", "Hertz (1882)",
+            "delta/R <= 0.01", "published",       {youngs_modulus(), poissons_ratio()}};
+  }
+  static HertzMaterial read(const Reader& p) { return {p("E_Pa"), p("nu")}; }
+};
+
+inline Hertz<double> prepare(const HertzMaterial& m1, double R1, const HertzMaterial& m2, double R2) {
+  return prepare_hertz(sphere(R1, m1.E, m1.nu), sphere(R2, m2.E, m2.nu));
+}
+
+inline Hertz<double> prepare_on_rigid_plane(const HertzMaterial& m, double R) {
+  return prepare_hertz(sphere(R, m.E, m.nu), rigid_plane());
 }
 
 } // namespace platen::law

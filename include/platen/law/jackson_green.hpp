@@ -19,6 +19,8 @@
 #include "platen/law/kogut_etsion.hpp"
 #include "platen/law/rigid_flat.hpp"
 
+#include <vector>
+
 namespace platen::law {
 
 struct JacksonGreenMaterial {
@@ -26,6 +28,18 @@ struct JacksonGreenMaterial {
   double nu = 0;      ///< Poisson's ratio, in [0, 0.5)
   double sigma_y = 0; ///< uniaxial yield stress [Pa]; infinity: a rigid side
   JointVariant variant = JointVariant::joined;
+
+  static LawInfo info() {
+    return {"jackson-green",
+            "elastic, perfectly plastic spheres, hardness falling with the contact radius",
+            "Jackson & Green (2005); generic unloading",
+            "a/R <= 0.41, sigma_y (1 - nu^2)/E <= 0.01",
+            "joined|published",
+            {youngs_modulus(), poissons_ratio(), yield_stress()}};
+  }
+  static JacksonGreenMaterial read(const Reader& p) {
+    return {p("E_Pa"), p("nu"), p("sigma_y_Pa"), joint_variant(p)};
+  }
 };
 
 /// The dimensionless curve: F/F_c and contact radius over that at first yield, against omega.
@@ -77,6 +91,7 @@ struct JacksonGreen {
   JacksonGreenCurve<double> curve;
   LoadingTable force; ///< F/F_c against omega, from the end of the elastic branch
   Loading<double> cap;
+  double held_to = 0; ///< published: where a force that jumps down is reached again, in omega
 
   [[nodiscard]] PLATEN_HOT Loading<double> loading(double gamma) const {
     Loading<double> here;
@@ -97,6 +112,9 @@ struct JacksonGreen {
     here.slope *= F_c / gamma_c;
     return here;
   }
+
+  [[nodiscard]] std::vector<double> kinks() const { return {held_to * gamma_c}; }
+  [[nodiscard]] double gamma_end() const { return force.x_high() * gamma_c; }
 
   [[nodiscard]] PLATEN_HOT bool in_range(double gamma) const {
     return material_in_range && gamma <= omega_valid * gamma_c;
@@ -179,6 +197,13 @@ inline JacksonGreen prepare(const JacksonGreenMaterial& m1, double R1, const Jac
     return TableSample{F, slope, law.curve.radius_log_slope(omega)};
   };
   const double end = larger(0.75 / x_c, 4 * start);
+  law.held_to = start;
+  if (double high = end; sample(start).slope == 0) { // the force has jumped down
+    for (int i = 0; i < 100; ++i) {
+      const double middle = std::sqrt(law.held_to * high);
+      (sample(middle).slope == 0 ? law.held_to : high) = middle;
+    }
+  }
   law.force.make(start, end, {0.4 * std::pow(start, 2.5), 1.5, 0.5}, sample);
   const TableSample last = sample(end);
   law.cap = {last.F, last.slope, 0, law.force.end.steepest, 0};

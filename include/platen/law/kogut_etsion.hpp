@@ -19,8 +19,10 @@
 
 #include "platen/law/contact.hpp"
 #include "platen/law/pair.hpp"
+#include "platen/law/parameter_reader.hpp"
 
 #include <array>
+#include <vector>
 
 namespace platen::law {
 
@@ -29,11 +31,27 @@ enum class JointVariant : unsigned char {
   published ///< pieces end where the paper says
 };
 
+inline JointVariant joint_variant(const Reader& p) {
+  return p.variant == "published" ? JointVariant::published : JointVariant::joined;
+}
+
 struct KogutEtsionMaterial {
   double E = 0;       ///< Young's modulus [Pa]
   double nu = 0;      ///< Poisson's ratio, in [0, 0.5)
   double sigma_y = 0; ///< uniaxial yield stress [Pa]; infinity: a rigid side
   JointVariant variant = JointVariant::joined;
+
+  static LawInfo info() {
+    return {"kogut-etsion",
+            "elastic, perfectly plastic spheres, power laws in units of first yield",
+            "Kogut & Etsion (2002); generic unloading",
+            "to 110 overlaps of first yield",
+            "joined|published",
+            {youngs_modulus(), poissons_ratio(), yield_stress()}};
+  }
+  static KogutEtsionMaterial read(const Reader& p) {
+    return {p("E_Pa"), p("nu"), p("sigma_y_Pa"), joint_variant(p)};
+  }
 };
 
 template <class Real = double> struct KogutEtsion {
@@ -66,6 +84,12 @@ template <class Real = double> struct KogutEtsion {
     const Real a = sqrt(gamma_c / pair.A * p.d * pow(omega, p.m));
     if (p.m < Real(1)) return {F, p.n * F / gamma, a, Real(1), Real(0)}; // the area is held
     return {F, p.n * F / gamma, a, Real(1.5), Real(0.5)};
+  }
+
+  [[nodiscard]] std::vector<double> kinks() const {
+    std::vector<double> list;
+    for (const Piece& p : pieces) list.push_back(p.start * gamma_c);
+    return list;
   }
 
   [[nodiscard]] PLATEN_HOT bool in_range(const Real& gamma) const {

@@ -1,37 +1,17 @@
 #pragma once
 // A smooth positive function of x as cubics over cells of equal ratio, value and slope exact at the nodes.
-// The cell is found from the bits of x: 2^bits cells an octave, a few nanoseconds. Lives inside the law,
-// without pointers.
+// The cell is found from the bits of x: 2^bits cells an octave, a few nanoseconds.
 
-#include "platen/law/macros.hpp"
+#include "platen/law/cubic.hpp"
 
 #include <bit>
-#include <cassert>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace platen::law {
 
-/// c0 + c1 t + c2 t^2 + c3 t^3
-struct Cubic {
-  double c0 = 0, c1 = 0, c2 = 0, c3 = 0;
-
-  static Cubic hermite(double h, double f0, double d0, double f1, double d1) {
-    const double rise = (f1 - f0) / h;
-    return {f0, d0, (3 * rise - 2 * d0 - d1) / h, (d0 + d1 - 2 * rise) / (h * h)};
-  }
-  /// Through f0, f1, f2, f3 at t = 0, h/3, 2h/3, h.
-  static Cubic through(double h, double f0, double f1, double f2, double f3) {
-    return {f0, (-5.5 * f0 + 9 * f1 - 4.5 * f2 + f3) / h, (9 * f0 - 22.5 * f1 + 18 * f2 - 4.5 * f3) / (h * h),
-            (-4.5 * f0 + 13.5 * f1 - 13.5 * f2 + 4.5 * f3) / (h * h * h)};
-  }
-  [[nodiscard]] PLATEN_FUNCTION double value(double t) const { return (c0 + t * c1) + t * t * (c2 + t * c3); }
-  [[nodiscard]] PLATEN_FUNCTION double slope(double t) const { return c1 + t * (2 * c2 + 3 * t * c3); }
-  [[nodiscard]] PLATEN_FUNCTION double integral(double t) const {
-    return t * (c0 + t * (c1 / 2 + t * (c2 / 3 + t * c3 / 4)));
-  }
-};
-
-template <int bits, int most_cells> class LogTable {
+template <int bits> class LogTable {
  public:
   struct Sample {
     double value, slope;
@@ -46,7 +26,7 @@ template <int bits, int most_cells> class LogTable {
     x_high = high;
     base_ = cell_bits(low);
     cells_ = static_cast<int>(cell_bits(high) - base_) + 1;
-    assert(0 < cells_ && cells_ <= most_cells);
+    cell_.assign(static_cast<std::size_t>(cells_), {});
     double left = low;
     Sample at_left = sample(left);
     for (int i = 0; i < cells_;) {
@@ -58,7 +38,7 @@ template <int bits, int most_cells> class LogTable {
       const Sample at_right = sample(right);
       const Cubic cubic =
           Cubic::hermite(right - left, at_left.value, at_left.slope, at_right.value, at_right.slope);
-      for (int j = i; j <= last; ++j) cell_[j] = {left, cubic};
+      for (int j = i; j <= last; ++j) cell_[static_cast<std::size_t>(j)] = {left, right - left, cubic};
       each_cell(i, last, left, right, cubic);
       left = right;
       at_left = at_right;
@@ -90,14 +70,19 @@ template <int bits, int most_cells> class LogTable {
     const Cell& c = cell_[index(x)];
     return c.cubic.integral(x - c.left);
   }
-  [[nodiscard]] PLATEN_HOT int index(double x) const {
+  /// How far x is through its cell, 0 to 1.
+  [[nodiscard]] PLATEN_HOT double share(double x) const {
+    const Cell& c = cell_[index(x)];
+    return (x - c.left) / c.width;
+  }
+  [[nodiscard]] PLATEN_HOT std::size_t index(double x) const {
     const auto i = static_cast<int>(cell_bits(x) - base_);
-    return i < 0 ? 0 : i < cells_ ? i : cells_ - 1;
+    return static_cast<std::size_t>(i < 0 ? 0 : i < cells_ ? i : cells_ - 1);
   }
 
  private:
   struct Cell {
-    double left;
+    double left = 0, width = 1;
     Cubic cubic;
   };
   static double larger_of(double a, double b) { return a < b ? b : a; }
@@ -109,7 +94,7 @@ template <int bits, int most_cells> class LogTable {
 
   std::int64_t base_ = 0;
   int cells_ = 0;
-  Cell cell_[most_cells];
+  std::vector<Cell> cell_;
 };
 
 } // namespace platen::law

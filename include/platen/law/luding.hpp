@@ -6,14 +6,18 @@
 //   gamma_0 = (1 - k_1/k_2) gamma_max
 //   k_2 = k_1 + (k_2max - k_1) gamma_max/gamma_p      to gamma_p, constant beyond
 //   gamma_p = k_2max/(k_2max - k_1) phi_f 2 R1 R2/(R1 + R2)
+// Beyond gamma_p the contact has no more plasticity to give: it goes up and down the line of k_2max, as in
+// MercuryDPM and YADE.
 // The springs are no material's: they are calibrated, and hold for the radius that they were calibrated at.
-// The equations were seen in two independent places. Beyond gamma_p one may also read that the force follows
-// the k_2max line; the printed condition gives k_1, as here, and the law calls itself out of range. The
+// The equations were seen in two independent places. The
 // contact radius is that of the overlapping spheres' Hertz contact, a^2 = gamma/A, as LAMMPS takes it; the
 // paper gives none.
 
 #include "platen/law/contact.hpp"
 #include "platen/law/pair.hpp"
+#include "platen/law/parameter_reader.hpp"
+
+#include <vector>
 
 namespace platen::law {
 
@@ -21,6 +25,18 @@ struct LudingMaterial {
   double k_1 = 0;   ///< loading stiffness [N/m]
   double k_2 = 0;   ///< largest unloading stiffness, at least k_1 [N/m]
   double phi_f = 0; ///< plasticity depth: gamma_0 at gamma_p over the reduced diameter [-]
+
+  static LawInfo info() {
+    return {"luding",
+            "linear springs with hysteresis, calibrated",
+            "Luding (2008), without adhesion",
+            "for the radius it is calibrated at, to the overlap where k_2 is reached",
+            "published",
+            {{"k_1_N_per_m", "loading stiffness", positive},
+             {"k_2_N_per_m", "largest unloading stiffness, at least k_1", positive},
+             {"phi_f", "plasticity depth over the reduced diameter", {0, 1, true, false}}}};
+  }
+  static LudingMaterial read(const Reader& p) { return {p("k_1_N_per_m"), p("k_2_N_per_m"), p("phi_f")}; }
 };
 
 template <class Real = double> struct Luding {
@@ -31,14 +47,23 @@ template <class Real = double> struct Luding {
   Real gamma_elastic{}; ///< 0; everything where k_2 = k_1
   Real gamma_limit{};
 
+  static constexpr double force_power = 1; ///< the springs do not grow with the spheres
+
+  [[nodiscard]] std::vector<double> kinks() const { return {gamma_p}; }
+
   [[nodiscard]] PLATEN_HOT Loading<Real> loading(const Real& gamma) const {
     using std::sqrt;
-    return {k_1 * gamma, k_1, sqrt(gamma / pair.A), Real(1), Real(0)};
+    const Real a = sqrt(gamma / pair.A);
+    if (gamma <= gamma_p) return {k_1 * gamma, k_1, a, Real(1), Real(0)};
+    return {k_1 * gamma_p + k_2 * (gamma - gamma_p), k_2, a, Real(1), Real(0)};
   }
 
   [[nodiscard]] PLATEN_HOT bool in_range(const Real& gamma) const { return gamma <= gamma_p; }
 
-  [[nodiscard]] PLATEN_FUNCTION Real work(const Real& gamma) const { return k_1 * gamma * gamma / Real(2); }
+  [[nodiscard]] PLATEN_FUNCTION Real work(const Real& gamma) const {
+    const Real soft = smaller(gamma, gamma_p), more = gamma - soft;
+    return k_1 * soft * soft / Real(2) + more * (k_1 * soft + k_2 * more / Real(2));
+  }
 
   [[nodiscard]] PLATEN_HOT Unloading<Real> unloading(const Real& gamma, const Loading<Real>& peak) const {
     const Real k = gamma < gamma_p ? k_1 + (k_2 - k_1) * (gamma / gamma_p) : k_2;
@@ -61,6 +86,13 @@ inline Luding<double> prepare(const LudingMaterial& m, double R1, double R2) {
   law.gamma_limit = 1000 / law.pair.x_per_gamma;
   law.gamma_elastic = m.k_2 == m.k_1 ? law.gamma_limit : 0;
   return law;
+}
+
+/// The spring is that of the pair: both sides must have the same.
+inline Luding<double> prepare(const LudingMaterial& m1, double R1, const LudingMaterial& m2, double R2) {
+  if (m1.k_1 != m2.k_1 || m1.k_2 != m2.k_2 || m1.phi_f != m2.phi_f)
+    throw BadParameter("luding: both sides must have the same springs");
+  return prepare(m1, R1, R2);
 }
 
 inline Luding<double> prepare(const LudingMaterial& m, double R) { return prepare(m, R, R); }

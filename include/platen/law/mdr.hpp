@@ -27,6 +27,7 @@
 // Valid to x = 0.75, where LAMMPS stops; then along the tangent.
 
 #include "platen/law/contact.hpp"
+#include "platen/law/parameter_reader.hpp"
 #include "platen/law/rigid_flat.hpp"
 
 namespace platen::law {
@@ -38,6 +39,19 @@ struct MdrMaterial {
   double nu = 0;      ///< Poisson's ratio, in [0, 0.5)
   double sigma_y = 0; ///< uniaxial yield stress [Pa]; infinity: a rigid side
   MdrVariant variant = MdrVariant::stiffened;
+
+  static LawInfo info() {
+    return {"mdr",
+            "elastic, perfectly plastic spheres, pressure falling with overlap: the pair kernel",
+            "Zunker & Kamrin (2024), as in LAMMPS; without bulk response, growing radius, adhesion",
+            "delta/R <= 0.75; published: not where it may create energy",
+            "stiffened|published",
+            {youngs_modulus(), poissons_ratio(), yield_stress()}};
+  }
+  static MdrMaterial read(const Reader& p) {
+    return {p("E_Pa"), p("nu"), p("sigma_y_Pa"),
+            p.variant == "published" ? MdrVariant::published : MdrVariant::stiffened};
+  }
 };
 
 struct Mdr {
@@ -50,6 +64,7 @@ struct Mdr {
   double gamma_limit = 0;
   MdrVariant variant = MdrVariant::stiffened;
 
+  static constexpr Shape shape = Shape::indenter;
   static constexpr double x_valid = 0.75;
   static constexpr double least_rate = std::numbers::pi / 2; ///< times gamma_max [-]
 
@@ -67,6 +82,8 @@ struct Mdr {
     const double slope = scale * ((2 - 2 * x) * p - 4.4 * a2 * (p - sigma_y));
     return {scale * a2 * p + slope * (all - x), slope * pair.x_per_gamma, flat.R * std::sqrt(a2), 2, 0};
   }
+
+  [[nodiscard]] double gamma_end() const { return x_valid / pair.x_per_gamma; }
 
   [[nodiscard]] PLATEN_HOT bool in_range(double gamma) const {
     if (gamma * pair.x_per_gamma > x_valid) return false;

@@ -8,9 +8,11 @@
 
 #include "platen/law/curve_table.hpp"
 #include "platen/law/pair.hpp"
-#include "platen/law/peak_table.hpp"
+#include "platen/law/parameter_reader.hpp"
 #include "platen/law/shahin_curve.hpp"
 #include "platen/law/similarity.hpp"
+
+#include <vector>
 
 namespace platen::law {
 
@@ -22,6 +24,24 @@ struct ShahinMaterial {
   LoadingCase loading = LoadingCase::simple;
   ShahinVariant variant = ShahinVariant::published;
   ShahinCoefficients<double> coefficients = {}; ///< 0: published; the same on both sides
+
+  static LawInfo info() {
+    return {
+        "shahin",
+        "rigid-plastic spheres with power-law hardening, large deformation",
+        "Shahin's thesis, (3.45)-(3.59)",
+        "0 <= 1/m <= 1; delta/R <= 0.5, in a cell until it is full",
+        "published|hardening-minimum",
+        with_coefficients({youngs_modulus(), poissons_ratio(), strength_coefficient(), hardening_exponent()},
+                          shahin_coefficients),
+        {loading_case()}};
+  }
+  static ShahinMaterial read(const Reader& p) {
+    ShahinMaterial m{p("E_Pa"), p("nu"), p("kappa_Pa"), p("inverse_m"), p.loading()};
+    m.variant = p.variant == "published" ? ShahinVariant::published : ShahinVariant::hardening_minimum;
+    for (const auto& c : shahin_coefficients) m.coefficients.*c.member = p(c.key);
+    return m;
+  }
 };
 
 struct Shahin {
@@ -41,7 +61,6 @@ struct Shahin {
   CurveHistory at_cap;
   SlopeTable slopes; ///< from x_table to x_cap
   double slope_at_cap = 0;
-  PeakTable peaks;
 
   static constexpr double x_table = 0x1p-24; ///< the table starts here
   static constexpr double X_end = 0.9995;    ///< how far towards the full cell (3.58) is followed
@@ -78,6 +97,9 @@ struct Shahin {
     here.a = pair.R_e * curve.radius.a_bar(x < x_cap ? x : x_cap);
     return here;
   }
+
+  [[nodiscard]] std::vector<double> kinks() const { return {curve.x_min / pair.x_per_gamma}; }
+  [[nodiscard]] double gamma_end() const { return x_cap / pair.x_per_gamma; }
 
   [[nodiscard]] PLATEN_HOT bool in_range(double gamma) const { return gamma * pair.x_per_gamma <= x_valid; }
 
@@ -116,6 +138,7 @@ inline Shahin prepare_shahin(const ShahinMaterial& m1, const Body& one, const Sh
     require(name, "nu", m.nu, poisson);
     require(name, "kappa_Pa", m.kappa, {0, infinity, true, false}); // infinity: a rigid side
     require(name, "inverse_m", m.inverse_m, {0, 1});
+    if (m.kappa < infinity) require_softer_than_elastic(name, m.kappa, m.E);
   }
   if (m1.loading != m2.loading || m1.variant != m2.variant || m1.inverse_m != m2.inverse_m)
     throw BadParameter("shahin: both sides must have the same inverse_m, loading and variant");
@@ -157,7 +180,6 @@ inline Shahin prepare_shahin(const ShahinMaterial& m1, const Body& one, const Sh
   };
   law.slopes.make(Shahin::x_table, law.x_cap, slope);
   law.slope_at_cap = slope(law.x_cap) / law.x_cap;
-  law.peaks.make(law, 0, law.x_cap / law.pair.x_per_gamma);
   return law;
 }
 

@@ -10,6 +10,7 @@
 
 #include "platen/law/contact.hpp"
 #include "platen/law/pair.hpp"
+#include "platen/law/parameter_reader.hpp"
 
 namespace platen::law {
 
@@ -21,6 +22,19 @@ struct SimilarityMaterial {
   double kappa = 0;     ///< strength coefficient [Pa]
   double inverse_m = 0; ///< hardening exponent 1/m, in [0, 1]; the same on both sides
   SimilarityVariant variant = SimilarityVariant::published;
+
+  static LawInfo info() {
+    return {"similarity",
+            "rigid-plastic spheres with power-law hardening, small strain",
+            "Biwa & Storakers; Shahin (2.4)-(2.8), (B.24)",
+            "delta/R <= 0.03, 0 <= 1/m <= 1",
+            "published|curvature-corrected",
+            {youngs_modulus(), poissons_ratio(), strength_coefficient(), hardening_exponent()}};
+  }
+  static SimilarityMaterial read(const Reader& p) {
+    return {p("E_Pa"), p("nu"), p("kappa_Pa"), p("inverse_m"),
+            p.variant == "published" ? SimilarityVariant::published : SimilarityVariant::curvature_corrected};
+  }
 };
 
 template <class Real = double> struct Similarity {
@@ -81,6 +95,7 @@ inline void check(const SimilarityMaterial& m) {
   require("similarity", "inverse_m", m.inverse_m, {0, 1});
   require("similarity", "E_Pa", m.E, {0, infinity, true, false});
   require("similarity", "nu", m.nu, poisson);
+  if (m.kappa < infinity) require_softer_than_elastic("similarity", m.kappa, m.E);
 }
 } // namespace detail
 

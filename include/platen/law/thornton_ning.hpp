@@ -12,6 +12,7 @@
 
 #include "platen/law/contact.hpp"
 #include "platen/law/pair.hpp"
+#include "platen/law/parameter_reader.hpp"
 
 namespace platen::law {
 
@@ -19,6 +20,18 @@ struct ThorntonNingMaterial {
   double E = 0;   ///< Young's modulus [Pa]
   double nu = 0;  ///< Poisson's ratio, in [0, 0.5)
   double p_y = 0; ///< limiting contact pressure [Pa]; infinity: a rigid side
+
+  static LawInfo info() {
+    return {"thornton-ning",
+            "elastic spheres with a largest contact pressure; a straight line from yield on",
+            "Thornton & Ning (1998), without adhesion",
+            "delta/R <= 0.01 (ours; the paper states none)",
+            "published",
+            {youngs_modulus(),
+             poissons_ratio(),
+             {"p_y_Pa", "largest contact pressure, 1.6 to 2.8 yield stresses", positive, Of::body}}};
+  }
+  static ThorntonNingMaterial read(const Reader& p) { return {p("E_Pa"), p("nu"), p("p_y_Pa")}; }
 };
 
 template <class Real = double> struct ThorntonNing {

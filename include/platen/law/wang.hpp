@@ -12,9 +12,10 @@
 #include "platen/law/contact.hpp"
 #include "platen/law/drucker_prager_yield.hpp"
 #include "platen/law/pair.hpp"
-#include "platen/law/peak_table.hpp"
+#include "platen/law/parameter_reader.hpp"
 
 #include <tuple>
+#include <vector>
 
 namespace platen::law {
 
@@ -51,6 +52,37 @@ struct WangMaterial {
   WangVariant variant = WangVariant::generic;
   double a = 0, b = 0; ///< (16) in our convention [-]; both 0: Table 2
   double m = 0, n = 0; ///< (17) in our convention, `fitted` only [-]
+
+  static LawInfo info() {
+    return {
+        "wang",
+        "granular geomaterials, Drucker-Prager",
+        "Wang et al. (2018), (8)-(18)",
+        "E 10-30 GPa, nu 0.1-0.3, phi 20-40 deg, sigma_c 5-50 MPa, a/R < 0.02; the contact radius is ours, "
+        "provisional",
+        "generic|fitted|published",
+        {youngs_modulus(),
+         poissons_ratio(),
+         {"phi_deg", "friction angle", {0, 60, false, true}},
+         {"sigma_c_Pa", "uniaxial compressive strength", positive},
+         {"a", "(16), both overlaps whole; 0: from Table 2", non_negative, Of::pair, 0},
+         {"b", "(16); 0: from Table 2", non_negative, Of::pair, 0},
+         {"m", "(17), fitted only", non_negative, Of::pair, 0},
+         {"n", "(17), fitted only", non_negative, Of::pair, 0}}};
+  }
+  static WangMaterial read(const Reader& p) {
+    return {p("E_Pa"),
+            p("nu"),
+            p("phi_deg"),
+            p("sigma_c_Pa"),
+            p.variant == "fitted"      ? WangVariant::fitted
+            : p.variant == "published" ? WangVariant::published
+                                       : WangVariant::generic,
+            p("a"),
+            p("b"),
+            p("m"),
+            p("n")};
+  }
 };
 
 template <class Real = double> struct Wang {
@@ -66,7 +98,6 @@ template <class Real = double> struct Wang {
   bool material_in_range = true;
   bool creates_energy = false;
   WangVariant variant = WangVariant::generic;
-  PeakTable peaks; ///< for double
 
   [[nodiscard]] PLATEN_FUNCTION Loading<Real> loading(const Real& gamma) const {
     using std::pow;
@@ -89,6 +120,7 @@ template <class Real = double> struct Wang {
     return sqrt(hertz * (Real(2) - pow(gamma / gamma_y, b / Real(1.5) - Real(1))));
   }
 
+  [[nodiscard]] std::vector<double> kinks() const { return {gamma_y}; }
   [[nodiscard]] PLATEN_HOT bool in_range(const Real& gamma) const {
     return material_in_range && !creates_energy && gamma <= gamma_valid;
   }
@@ -173,7 +205,6 @@ inline Wang<double> prepare_wang(const WangMaterial& m1, const Body& one, const 
       law.creates_energy |=
           dissipated_work(gamma, Peak<double>{at.F, at.slope, at.a, end, work}) < 1e-9 * work;
     }
-  law.peaks.make(law, 0, 0.5 / law.pair.x_per_gamma);
   return law;
 }
 

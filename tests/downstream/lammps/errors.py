@@ -30,7 +30,7 @@ refused("plane", BOX + "pair_style platen\npair_coeff 1 1 "
 refused("radius", BOX + TWO + "pair_style platen\npair_coeff 1 1 "
         + str(card("agarwal", "radius", CARDS["agarwal"] + "\nradius_m = 2e-3")) + "\nrun 0\n", "does not cover", "0.001")
 refused("missing", BOX + f"pair_style platen\npair_coeff 1 1 {OUT}/nothing.toml\n", "nothing.toml")
-refused("unlike", BOX + f"pair_style platen\npair_coeff 1 1 {GOOD} {card('agarwal')}\n", "two laws")
+refused("unlike", BOX + TWO + f"pair_style platen\npair_coeff 1 1 {GOOD} {card('luding')}\nrun 0\n", "luding", "cannot be joined")
 refused("restitution", BOX + f"pair_style platen\npair_coeff 1 1 {GOOD} damping 1.5\n", "(0, 1]")
 refused("velocities", BOX.replace("comm_modify vel yes", "") + TWO + STYLE.replace("\n", " friction 0.3\n").replace(
     "platen friction 0.3", "platen") + "run 0\n", "comm_modify vel yes")

@@ -1,4 +1,5 @@
 """What the tests of the plug-in share: cards, one run of LAMMPS, its numbers. Standard library alone."""
+import json
 import os
 import pathlib
 import shutil
@@ -19,7 +20,20 @@ CARDS = {
     "mdr": "E_Pa = 5e8\nnu = 0.3\nsigma_y_Pa = 1e7",
     "luding": "k_1_N_per_m = 1e4\nk_2_N_per_m = 5e4\nphi_f = 0.1",
     "thornton-ning": "E_Pa = 5e8\nnu = 0.3\np_y_Pa = 3e6",
+    "similarity": "E_Pa = 5e8\nnu = 0.3\nkappa_Pa = 1e6\ninverse_m = 0.3",
+    "wang": "E_Pa = 1e10\nnu = 0.15\nphi_deg = 25\nsigma_c_Pa = 15e6",
+    "shahin": "E_Pa = 5e8\nnu = 0.3\nkappa_Pa = 1e6\ninverse_m = 0.3",
+    "kogut-etsion": "E_Pa = 5e8\nnu = 0.3\nsigma_y_Pa = 1e7",
+    "etsion-unloading": "E_Pa = 5e8\nnu = 0.3\nsigma_y_Pa = 1e7",
+    "jackson-green": "E_Pa = 5e8\nnu = 0.3\nsigma_y_Pa = 1e6",
+    "eepa": "E_Pa = 5e8\nnu = 0.3\nlambda_p = 0.6",
+    "pressed": "E_Pa = 2e9\nnu = 0.3\nsigma_ref_Pa = 1e7\n"
+               "delta_bar = [1e-4, 1e-3, 1e-2, 0.05, 0.1, 0.2, 0.35, 0.5]\n"
+               "F_bar = [6e-5, 1.6e-3, 0.035, 0.22, 0.48, 1.1, 2.2, 4]\n"
+               "a_bar = [0.009, 0.03, 0.13, 0.32, 0.46, 0.66, 0.85, 1]",
 }
+listed = json.loads(subprocess.run([PLATEN, "laws", "--json"], check=True, stdout=subprocess.PIPE).stdout)
+assert {law["name"] for law in listed} == set(CARDS), "a law has no card here"
 
 
 def card(law, name=None, parameters=None, extra=""):

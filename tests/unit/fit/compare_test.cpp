@@ -12,10 +12,10 @@ using namespace platen;
 
 const char* const metal = "radius_m=1e-3 E_Pa=1e9 nu=0.3 p_y_Pa=2e7 against=plane";
 
-law::AnyLaw thornton_ning() { return law::make_law("thornton-ning", "", law::parameter_texts(metal)); }
+law::Law thornton_ning() { return law::make_law("thornton-ning", "", law::parameter_texts(metal)); }
 
 /// What a press would write if the law were true: loading, and unloading from `tops` (delta/R).
-press::Curve curve_of(const law::AnyLaw& law, double R, double scale, std::initializer_list<double> tops) {
+press::Curve curve_of(const law::Law& law, double R, double scale, std::initializer_list<double> tops) {
   press::Curve curve;
   curve.radius_m = R * scale;
   const auto add = [&](press::Branch branch, int id, double delta, const law::Response& r) {

@@ -101,7 +101,7 @@ TEST(AgarwalFit, MakesACardThatReadsBackAsTheFittedLaw) {
   for (const auto& loaded : all) {
     const auto curve = made(loaded, changed(loaded.loading));
     const auto card = fit::law_card(curve, fit::fit_agarwal(curve), "text");
-    const auto law = std::get<law::Agarwal>(fit::make_law(card, {{"radius_m", "0.01"}}));
+    const auto law = law::formulas<law::AgarwalMaterial>({card.law, card.variant, card.parameters}, 0.01);
     const auto& p = curve.points[70];
     EXPECT_NEAR(law.loading(2 * p.delta_m).F, p.force_N, 1e-3 * p.force_N) << loaded.name;
     EXPECT_NEAR(law.loading(2 * p.delta_m).a, p.contact_radius_m, 1e-3 * p.contact_radius_m) << loaded.name;
@@ -115,7 +115,7 @@ TEST(AgarwalFit, TheErrorsOfACardAreThoseOfItsLaw) {
     const auto curve = made(loaded, c, 1.01);
     const auto fit = fit::fit_agarwal(curve);
     const auto card = fit::law_card(curve, fit, "text");
-    const auto law = std::get<law::Agarwal>(fit::make_law(card, {{"radius_m", "0.01"}}));
+    const auto law = law::formulas<law::AgarwalMaterial>({card.law, card.variant, card.parameters}, 0.01);
     double force = 0, radius = 0;
     for (const auto& p : curve.points) {
       if (p.delta_bar < fit.of_fitted.from || p.delta_bar > fit.of_fitted.to) continue;
@@ -189,8 +189,8 @@ TEST(ShahinFit, FindsTheCoefficientsThatMadeTheCurve) {
         for (const auto& key : law::shahin_coefficients)
           EXPECT_NEAR(fit.fitted.*key.member / (c.*key.member), 1, 1e-3)
               << loaded.name << ' ' << inverse_m << ' ' << key.key;
-        const auto law =
-            std::get<law::Shahin>(fit::make_law(fit::law_card(curve, fit, "text"), {{"radius_m", "0.01"}}));
+        const auto card = fit::law_card(curve, fit, "text");
+        const auto law = law::formulas<law::ShahinMaterial>({card.law, card.variant, card.parameters}, 0.01);
         const auto& p = curve.points[70];
         EXPECT_NEAR(law.loading(2 * p.delta_m).F, p.force_N, 1e-3 * p.force_N) << loaded.name << inverse_m;
       }

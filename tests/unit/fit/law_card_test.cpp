@@ -51,7 +51,7 @@ TEST_F(LawCard, GivesTheLawThatTheHeadersGive) {
   m.unloadings = 3;
   const double x[] = {0.1, 0.3, 0.5}, alpha[] = {1.4, 1.3, 1.2}, beta[] = {1.3, 1.5, 1.6};
   for (int i = 0; i < 3; ++i) m.unload_delta_bar[i] = x[i], m.alpha[i] = alpha[i], m.beta[i] = beta[i];
-  const auto direct = law::prepare(m, 1e-3);
+  const auto direct = law::tabulate(law::prepare(m, 1e-3));
   const law::State top{4e-4, 4e-4};
   EXPECT_EQ(law::evaluate(law, top, 3.9e-4).force, law::evaluate(direct, top, 3.9e-4).force);
 }

@@ -103,8 +103,7 @@ TEST(WangFit, MakesACardThatReadsBackAsTheLaw) {
   const Made m = made(1.02, 1.43, 0.6, 1.38);
   const auto card = fit::law_card(m.curve, fit::fit_wang(m.curve), "text");
   EXPECT_EQ(card.variant, "fitted");
-  const auto law =
-      std::get<law::Wang<double>>(fit::make_law(card, {{"radius_m", "0.1"}, {"against", "plane"}}));
+  const auto law = law::formulas_on_plane<law::WangMaterial>({card.law, card.variant, card.parameters}, 0.1);
   EXPECT_NEAR(law.loading(4 * m.delta_y).F, m.F_y * 1.02 * std::pow(4, 1.43), 1e-4 * m.F_y);
 }
 

@@ -52,7 +52,7 @@ const Named every_law[] = {
     {"eepa", "", "lambda_p=0.9 n=1"},
 };
 
-AnyLaw make(const Named& n) {
+Law make(const Named& n) {
   const std::string_view own = n.parameters;
   if (own.starts_with("radius_m")) return make_law(n.name, n.variant, parameter_texts(own));
   const std::string_view shared = own.find("nu=") == own.npos ? body : "radius_m=1e-3 E_Pa=5e8 ";
@@ -77,7 +77,7 @@ void expect_finite(const Response& r) {
 
 TEST(AnyOverlap, ForceNeverFallsAsTheOverlapGrows) {
   for (const Named& n : every_law) {
-    const AnyLaw law = make(n);
+    const Law law = make(n);
     double last = 0;
     for (double gamma : all_overlaps()) {
       const Response r = evaluate(law, State{}, gamma);
@@ -95,7 +95,7 @@ TEST(AnyOverlap, ForceNeverFallsAsTheOverlapGrows) {
 TEST(AnyOverlap, UnloadingFromAnywhereToAnywhereIsFinite) {
   const double far[] = {-1e300, -1e-3, 0.0, 5e-324, 1e-310, 1e-200, 1e-12, 1e-5, 3e-4, 1e-3, 1.0, 1e300};
   for (const Named& n : every_law) {
-    const AnyLaw law = make(n);
+    const Law law = make(n);
     for (double top : far) {
       const State state = evaluate(law, State{}, top).state;
       double last = 0;

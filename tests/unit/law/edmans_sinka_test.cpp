@@ -44,7 +44,6 @@ TEST(EdmansSinka, LoadingIsEquationSix) {
   const EdmansSinkaMaterial m = some_material();
   const double R = 1e-3;
   auto law = prepare(m, R);
-  law.peaks = {}; // the formulas themselves; peak_table_test.cpp compares the table with them
   const double scale = std::numbers::pi * R * R * m.sigma_ref;
   for (double delta_bar : {0.01, 0.05, 0.09, 0.2, 0.5}) {
     const double F_bar =
@@ -160,7 +159,6 @@ TEST(EdmansSinka, UnloadingFollowsEquationsNineToFourteen) {
   m.beta[0] = 1.3, m.beta[1] = 1.6;
   const double R = 2e-3, x_max = 0.3;
   auto law = prepare(m, R);
-  law.peaks = {}; // the formulas themselves; peak_table_test.cpp compares the table with them
   const State state = evaluate(law, State{}, 2 * R * x_max).state;
   const double alpha = 1.3, beta = 1.45; // linear between
   const double F_bar_max = 4.2 * 0.09 * std::exp(3.5 * (x_max - 0.09));

@@ -315,14 +315,21 @@ TEST(Luding, StiffensToTheOverlapWhereThePlasticityDepthIsReached) {
   const auto law = prepare(springs, R, 3 * R);
   const double gamma_p = 5e5 / 4e5 * 0.1 * 2 * R * 3 * R / (4 * R);
   EXPECT_NEAR(law.gamma_p, gamma_p, 1e-15);
-  for (double part : {0.3, 1.0, 1.5}) {
-    const double gamma = part * gamma_p, k = 1e5 + 4e5 * std::min(part, 1.0);
+  for (double part : {0.3, 1.0}) {
+    const double gamma = part * gamma_p, k = 1e5 + 4e5 * part;
     const State top = evaluate(law, State{}, gamma).state;
     const Response r = evaluate(law, top, 0.95 * gamma);
     EXPECT_NEAR(r.stiffness, k, 1e-9 * k);
     EXPECT_NEAR(r.force, k * (0.95 * gamma - (1 - 1e5 / k) * gamma), 1e-9 * r.force);
-    EXPECT_EQ(law.in_range(gamma), part <= 1);
+    EXPECT_TRUE(law.in_range(gamma));
   }
+  // Beyond: up and down the line of k_2, as in MercuryDPM and YADE, max(k_2 (gamma - gamma_0), ...)
+  const State beyond = evaluate(law, State{}, 1.5 * gamma_p).state;
+  for (double part : {1.5, 1.2, 0.9}) {
+    const double line = 5e5 * (part * gamma_p - (1 - 1e5 / 5e5) * gamma_p);
+    EXPECT_NEAR(evaluate(law, beyond, part * gamma_p).force, line, 1e-9 * line);
+  }
+  EXPECT_FALSE(law.in_range(1.5 * gamma_p));
   // [Singh et al.]: at gamma_p the residual overlap is phi_f times the reduced diameter
   EXPECT_NEAR(law.unloading(gamma_p, law.loading(gamma_p)).gamma_0(gamma_p), 0.1 * 1.5 * R, 1e-12);
 }
@@ -348,7 +355,7 @@ TEST(Eepa, LoadsLikeHertzAndUnloadsToItsPlasticOverlap) {
 TEST(Eepa, WithExponentOneIsLudingAtItsLargestStiffness) {
   const auto law = prepare(EepaMaterial{E, nu, 0.8, 1}, R);
   const double k_1 = law.loading(1e-5).F / 1e-5;
-  const auto linear = prepare(LudingMaterial{k_1, 5 * k_1, 1e-9}, R);
+  const auto linear = prepare(LudingMaterial{k_1, 5 * k_1, 0.8 * 1e-5 / R}, R); // gamma_p = 1e-5
   State s = evaluate(law, State{}, 1e-5).state;
   for (double g : {9e-6, 8.5e-6, 7e-6})
     EXPECT_NEAR(evaluate(law, s, g).force, evaluate(linear, s, g).force, 1e-9 * k_1 * 1e-5);

@@ -39,7 +39,6 @@ press::Curve pressed(const law::EdmansSinkaMaterial& m) {
   curve.E_Pa = m.E;
   curve.nu = m.nu;
   auto law = law::prepare_on_rigid_plane(m, curve.radius_m);
-  law.peaks = {}; // the formulas: the table's error is larger than the fit's
   const auto add = [&](const law::Response& now, double delta_bar, press::Branch branch, int id) {
     press::CurvePoint point;
     point.branch = branch;

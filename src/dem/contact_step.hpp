@@ -1,8 +1,8 @@
 #pragma once
-// One contact in one step, for pairs and walls alike: the normal force of the law, viscous damping, and
-// Coulomb friction with Mindlin's tangential stiffness.
+// One contact in one step, for pairs and walls of any host alike: viscous damping, and Coulomb friction with
+// Mindlin's tangential stiffness. The normal force is Laws' (contacts.hpp).
 
-#include "contact_laws.hpp"
+#include "dem/contacts.hpp"
 
 #include <cmath>
 
@@ -16,33 +16,25 @@ struct Memory {
 };
 inline constexpr int memory_size = sizeof(Memory) / sizeof(double);
 
-/// The law's response [SI]. Remembers the largest overlap.
-template <class Law>
-PLATEN_HOT law::Response normal(const Law& law, const Units& u, double overlap, Memory& memory) {
-  const law::Response now = evaluate(law, law::State{0, memory.gamma_max}, overlap * u.length);
-  memory.gamma_max = now.state.gamma_max;
-  return now;
-}
-
 /// The normal force with viscous damping, c = damping sqrt(dF/dgamma m). It may pull for a moment as the
 /// bodies part, as in LAMMPS: cut off there, a Hertzian contact asked for e = 0.5 returns 0.55.
-PLATEN_HOT double damped(const Terms& t, const Units& u, double stiffness, double F, double mass,
+PLATEN_HOT double damped(double damping, const Units& u, double stiffness, double F, double mass,
                          double v_n) {
   if (!(F > 0)) return F; // apart
-  return F - t.damping * std::sqrt(stiffness * u.length / u.force * mass) * v_n;
+  return F - damping * std::sqrt(stiffness * u.length / u.force * mass) * v_n;
 }
 
 /// The tangential force follows the sliding with stiffness 8 G* a. When a shrinks it shrinks with it (else
 /// unloading would leave more elastic energy than was put in: Thornton, Cummins & Cleary 2013), and friction
 /// limits it.
-PLATEN_HOT void slide(const Terms& t, double a, double F_n, const double n[3], const double v_t[3], double dt,
-                      Memory& m) {
+PLATEN_HOT void slide(double shear, double friction, double a, double F_n, const double n[3],
+                      const double v_t[3], double dt, Memory& m) {
   double* f = m.tangential;
   const double along = f[0] * n[0] + f[1] * n[1] + f[2] * n[2]; // the contact plane has turned
-  const double k_t = t.shear * a, more = k_t * dt;
+  const double k_t = shear * a, more = k_t * dt;
   const double keep = k_t / law::larger(law::larger(m.k_t, k_t), 1e-300); // 1 where a grows
   for (int k = 0; k < 3; ++k) f[k] = (f[k] - along * n[k]) * keep - more * v_t[k];
-  const double size2 = f[0] * f[0] + f[1] * f[1] + f[2] * f[2], limit = F_n > 0 ? t.friction * F_n : 0;
+  const double size2 = f[0] * f[0] + f[1] * f[1] + f[2] * f[2], limit = F_n > 0 ? friction * F_n : 0;
   if (size2 > limit * limit) {
     const double scale = limit / std::sqrt(size2);
     for (int k = 0; k < 3; ++k) f[k] *= scale;

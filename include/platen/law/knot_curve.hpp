@@ -1,0 +1,208 @@
+#pragma once
+// A law whose curve is known at knots, not by a formula: force, contact radius and unloading over x,
+// interpolated in the logarithms, C1 and monotone (Fritsch & Carlson 1980, three-point slopes).
+//
+//   below the first knot   F = F_1 (x/x_1)^n, a = a_1 (x/x_1)^(1/2)
+//   beyond the last        the tangent; the radius is held
+
+#include "platen/law/contact.hpp"
+#include "platen/law/error.hpp"
+#include "platen/law/pair.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace platen::law {
+
+/// y over x, both growing or y constant in places; C1, monotone between any two knots.
+class MonotoneCurve {
+ public:
+  MonotoneCurve() = default;
+  /// `first_slope`: at the first knot, where it is known.
+  MonotoneCurve(std::vector<double> x, std::vector<double> y, double first_slope = required_by_data)
+      : x_(std::move(x)), y_(std::move(y)), slope_(x_.size()) {
+    const std::size_t n = x_.size();
+    const auto rise = [&](std::size_t i) { return (y_[i + 1] - y_[i]) / (x_[i + 1] - x_[i]); };
+    for (std::size_t i = 0; i < n; ++i) {
+      if (i == 0 || i + 1 == n) {
+        slope_[i] = n == 1 ? 0 : rise(i == 0 ? 0 : n - 2);
+        if (n > 2) { // the parabola through three knots
+          const std::size_t k = i == 0 ? 0 : n - 3;
+          const double h0 = x_[k + 1] - x_[k], h1 = x_[k + 2] - x_[k + 1],
+                       bend = (rise(k + 1) - rise(k)) / (h0 + h1);
+          slope_[i] = i == 0 ? rise(0) - bend * h0 : rise(n - 2) + bend * h1;
+        }
+        continue;
+      }
+      const double h0 = x_[i] - x_[i - 1], h1 = x_[i + 1] - x_[i];
+      slope_[i] = (rise(i - 1) * h1 + rise(i) * h0) / (h0 + h1);
+    }
+    if (std::isfinite(first_slope)) slope_[0] = first_slope;
+    for (std::size_t i = 0; i + 1 < n;
+         ++i) // Fritsch & Carlson: end slopes within three times the secant are monotone
+      for (double* s : {&slope_[i], &slope_[i + 1]}) {
+        const double r = rise(i);
+        *s = r >= 0 ? std::clamp(*s, 0.0, 3 * r) : std::clamp(*s, 3 * r, 0.0);
+      }
+  }
+  /// Value and slope; the first or last value outside.
+  void at(double x, double& y, double& slope) const {
+    if (x <= x_.front()) return void((y = y_.front(), slope = x == x_.front() ? slope_.front() : 0));
+    if (x >= x_.back()) return void((y = y_.back(), slope = x == x_.back() ? slope_.back() : 0));
+    const auto i = static_cast<std::size_t>(std::upper_bound(x_.begin(), x_.end(), x) - x_.begin()) - 1;
+    const double h = x_[i + 1] - x_[i], t = (x - x_[i]) / h, rise = y_[i + 1] - y_[i];
+    const double c2 = 3 * rise - h * (2 * slope_[i] + slope_[i + 1]),
+                 c3 = h * (slope_[i] + slope_[i + 1]) - 2 * rise;
+    y = y_[i] + t * (h * slope_[i] + t * (c2 + t * c3));
+    slope = slope_[i] + t * (2 * c2 + 3 * t * c3) / h;
+  }
+  [[nodiscard]] double value(double x) const {
+    double y = 0, slope = 0;
+    at(x, y, slope);
+    return y;
+  }
+  [[nodiscard]] const std::vector<double>& knots() const { return x_; }
+  [[nodiscard]] double end_slope() const { return slope_.back(); }
+
+ private:
+  static constexpr double required_by_data = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> x_, y_, slope_;
+};
+
+/// One knot, in units of R_e.
+struct Knot {
+  double x = 0;       ///< overlap of the pair (pair.hpp)
+  double F = 0;       ///< force over R_e^2 [Pa]
+  double a = 0;       ///< contact radius over R_e
+  double S = 0;       ///< slope over x with which unloading starts [Pa]
+  double alpha = 1.5; ///< exponent of unloading
+};
+
+/// The ContactLaw of such knots.
+class KnotCurve {
+ public:
+  using Scalar = double;
+  Pair pair;
+  double gamma_elastic = 0, gamma_limit = 0;
+  double x_valid = 0; ///< in range up to here
+
+  /// `n_first`: exponent of the force below the first knot; `elastic`: unloading retraces it there.
+  KnotCurve(const Pair& pair_, const std::vector<Knot>& knots, double n_first_, bool elastic, double x_valid_)
+      : pair(pair_), gamma_limit(1000 / pair.x_per_gamma), x_valid(x_valid_), n_first(n_first_) {
+    std::vector<double> x, F, a, S, alphas;
+    for (const Knot& k : knots) {
+      x.push_back(std::log(k.x));
+      F.push_back(std::log(k.F));
+      a.push_back(std::log(k.a));
+      S.push_back(std::log(k.S));
+      alphas.push_back(k.alpha);
+    }
+    x_first = knots.front().x;
+    x_last = knots.back().x;
+    if (elastic) gamma_elastic = x_first / pair.x_per_gamma;
+    force = MonotoneCurve(x, F, n_first);
+    radius = MonotoneCurve(x, a);
+    stiffness = MonotoneCurve(x, S);
+    exponent = MonotoneCurve(x, alphas);
+    double y = 0, slope = 0;
+    force.at(x.back(), y, slope);
+    end_slope = slope * knots.back().F / x_last;
+    history();
+    work_to_knot = {knots.front().F * x_first / (n_first + 1)};
+    for (std::size_t i = 1; i < knots.size(); ++i)
+      work_to_knot.push_back(work_to_knot.back() + work_between(knots[i - 1].x, knots[i].x));
+  }
+
+  [[nodiscard]] Loading<double> loading(double gamma) const {
+    const double x = gamma * pair.x_per_gamma, F_scale = pair.R_e * pair.R_e;
+    Loading<double> l;
+    double y = 0, slope = 0;
+    if (x < x_first) {
+      l.F = std::exp(force.value(std::log(x_first))) * std::pow(x / x_first, n_first);
+      l.slope = n_first * l.F / x;
+      l.a = std::exp(radius.value(std::log(x_first))) * std::sqrt(x / x_first);
+    } else if (x > x_last) {
+      l.slope = end_slope;
+      l.F = std::exp(force.value(std::log(x_last))) + end_slope * (x - x_last);
+      l.a = std::exp(radius.value(std::log(x_last)));
+    } else {
+      const double u = std::log(x);
+      force.at(u, y, slope);
+      l.F = std::exp(y);
+      l.slope = l.F * slope / x;
+      l.a = std::exp(radius.value(u));
+    }
+    const double u = std::log(std::clamp(x, x_first, x_last));
+    l.steepest = steepest.value(u);
+    l.least_a = least.value(u);
+    l.F *= F_scale;
+    l.slope *= F_scale * pair.x_per_gamma;
+    l.a *= pair.R_e;
+    return l;
+  }
+  [[nodiscard]] Unloading<double> unloading(double gamma, const Loading<double>& peak) const {
+    const double x = gamma * pair.x_per_gamma;
+    if (gamma <= gamma_elastic) return {0, 1.5}; // never followed: elastic
+    const double u = std::log(std::clamp(x, x_first, x_last));
+    // Outside the knots in proportion to force over overlap.
+    double S_x = std::exp(stiffness.value(u)) * std::exp(u);
+    if (x < x_first || x > x_last) S_x *= peak.F / (pair.R_e * pair.R_e) / std::exp(force.value(u));
+    return unloading_from_slope(gamma, peak, S_x * pair.R_e * pair.R_e, exponent.value(u));
+  }
+  [[nodiscard]] bool in_range(double gamma) const { return gamma * pair.x_per_gamma <= x_valid * (1 + 1e-9); }
+  [[nodiscard]] double work(double gamma) const {
+    const double x = gamma * pair.x_per_gamma, scale = pair.R_e * pair.R_e / pair.x_per_gamma;
+    if (x <= x_first) return loading(gamma).F * gamma / (n_first + 1);
+    const auto& knots = force.knots();
+    std::size_t i = 0;
+    while (i + 1 < knots.size() && std::exp(knots[i + 1]) < x) ++i;
+    return scale * (work_to_knot[i] + work_between(std::exp(knots[i]), x));
+  }
+  [[nodiscard]] std::vector<double> kinks() const {
+    return {x_first / pair.x_per_gamma, x_last / pair.x_per_gamma};
+  }
+  [[nodiscard]] double gamma_end() const { return x_last / pair.x_per_gamma; }
+
+ private:
+  /// What unloading_from_slope wants to know of the way here.
+  void history() {
+    std::vector<double> u, most, fewest;
+    double n = n_first, s = 0.5, last_S = 0, last_u = 0;
+    const auto& x = force.knots();
+    const int parts = std::clamp(static_cast<int>(600 / x.size()), 2, 10);
+    for (std::size_t i = 0; i + 1 < x.size(); ++i)
+      for (int k = 0; k < parts + (i + 2 == x.size()); ++k) {
+        const double at = x[i] + (x[i + 1] - x[i]) * k / parts;
+        double y = 0, slope = 0, S = 0, S_slope = 0;
+        force.at(at, y, slope);
+        stiffness.at(at, S, S_slope);
+        n = std::max(n, slope * (1 + 1e-4));
+        if (!u.empty()) s = std::min(s, (S - last_S) / (at - last_u) - 1e-4);
+        last_S = S;
+        last_u = at;
+        u.push_back(at);
+        most.push_back(n);
+        fewest.push_back(std::max(s, -2.0));
+      }
+    steepest = MonotoneCurve(u, most);
+    least = MonotoneCurve(u, fewest);
+  }
+
+  /// Simpson's rule, over R_e^2 and in x.
+  [[nodiscard]] double work_between(double from, double to) const {
+    constexpr int parts = 8;
+    const double h = (to - from) / parts;
+    const auto F = [&](double x) { return loading(x / pair.x_per_gamma).F / (pair.R_e * pair.R_e); };
+    double sum = 0;
+    for (int k = 0; k < parts; ++k)
+      sum += h / 6 * (F(from + k * h) + 4 * F(from + (k + 0.5) * h) + F(from + (k + 1) * h));
+    return sum;
+  }
+
+  std::vector<double> work_to_knot;
+  double n_first, x_first = 0, x_last = 0, end_slope = 0;
+  MonotoneCurve force, radius, stiffness, exponent, steepest, least;
+};
+
+} // namespace platen::law

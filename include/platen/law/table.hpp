@@ -1,0 +1,214 @@
+#pragma once
+// What runs in a contact loop: any law as one table. Over the largest overlap so far it holds force, contact
+// radius, and how unloading goes, as cubics of v = sqrt(x), in which Hertz's force and radius are cubics
+// themselves. Without length and without radius: of two bodies whose A R_e (pair.hpp) is that of the table,
+// the Scale says how large they are. tabulate.hpp makes tables.
+//
+//   x = gamma x_per_gamma,   F = scale.force F(x),   a = R_e a(x),   W = scale.force/x_per_gamma int F dx
+//   unloading F xi^alpha, xi = 1 - (x_max - x)/w: w is the overlap that it gives back
+
+#include "platen/law/contact.hpp"
+#include "platen/law/cubic.hpp"
+#include "platen/law/pair.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace platen::law {
+
+namespace detail {
+
+/// a or b without a jump: which one it is can hardly be foreseen from contact to contact, and a wrong guess
+/// costs more than the rest.
+PLATEN_HOT double pick(bool first, double a, double b) {
+  const std::uint64_t mask = -static_cast<std::uint64_t>(first);
+  return std::bit_cast<double>((std::bit_cast<std::uint64_t>(a) & mask) |
+                               (std::bit_cast<std::uint64_t>(b) & ~mask));
+}
+
+} // namespace detail
+
+/// Size of two bodies in contact.
+struct Scale {
+  double R_e = 0;         ///< radius of the equivalent equal pair [m]
+  double x_per_gamma = 0; ///< [1/m]
+  double force = 0;       ///< R_e^2, or what force goes with [m^2]
+  double work = 0;        ///< force/x_per_gamma
+};
+
+/// One stretch of overlaps, t = v - left.
+struct Cell {
+  double left = 0, right = 0; ///< in v
+  Cubic F, w, a;
+  Cubic lost; ///< work that unloading does not give back; it never falls
+  double alpha = 1.5, alpha_slope = 0;
+};
+
+/// Force, contact radius and unloading at one overlap x, in units of the table.
+struct Top {
+  double F = 0, slope = 0, a = 0, w = 0, alpha = 1.5, lost = 0;
+
+  /// What unloading gives back, where it ends before the bodies part.
+  [[nodiscard]] PLATEN_HOT double back() const { return F * w / (1 + alpha); }
+  /// Of loading.
+  [[nodiscard]] PLATEN_HOT double work() const { return lost + back(); }
+};
+
+/// A table without ownership: plain data that may be copied to another device with what it points to.
+struct TableView {
+  static constexpr int bits = 5;          ///< 32 slots an octave of v lead to the cells
+  static constexpr double x_limit = 1000; ///< from here on everything is held
+
+  const Cell* cells = nullptr;
+  const std::uint16_t* slot = nullptr; ///< the cell at the left end of each slot
+  std::int64_t base = 0;
+  int slots = 0;
+  Top first;                           ///< at x_first
+  double x_first = 0;                  ///< up to here powers of x; 0: the first cell begins at 0
+  double n_first = 1.5, m_first = 0.5; ///< exponents of force and radius there
+  double x_elastic = 0;                ///< up to here unloading retraces the loading curve
+  double valid[2][2] = {};             ///< the law was made for overlaps in either interval
+  Shape shape = Shape::power;
+  double n = 1.5, lambda_p = 0;  ///< of Shape::difference
+  bool all_three_halves = false; ///< alpha is 3/2 wherever it is followed
+
+  [[nodiscard]] PLATEN_HOT bool in_range(double x) const {
+    return ((valid[0][0] <= x) & (x <= valid[0][1])) | ((valid[1][0] <= x) & (x <= valid[1][1]));
+  }
+
+  [[nodiscard]] PLATEN_HOT Top top(double x) const {
+    if (x < x_first) return start(x);
+    const double v = std::sqrt(x);
+    std::int64_t k = (std::bit_cast<std::int64_t>(v) >> (52 - bits)) - base;
+    k = k < slots ? k : slots - 1;
+    k = k < 0 ? 0 : k;
+    const Cell* c = cells + slot[k];
+    while (c->right <= v) ++c;
+    const double t = v - c->left;
+    return {c->F.value(t), c->F.slope(t) / (2 * v),       c->a.value(t),
+            c->w.value(t), c->alpha + t * c->alpha_slope, c->lost.value(t)};
+  }
+
+  /// Below the cells.
+  [[nodiscard]] PLATEN_RARE Top start(double x) const {
+    const double u = x / x_first, part = power(u, n_first);
+    const double F = first.F * part, a = first.a * power(u, m_first);
+    return {F, n_first * F / x, a, first.w * u, first.alpha, first.lost * part * u};
+  }
+};
+
+/// A table and its cells.
+struct Table : TableView {
+  std::vector<Cell> cell_list;
+  std::vector<std::uint16_t> slot_list;
+
+  Table() = default;
+  Table(const Table&) = delete;
+  Table& operator=(const Table&) = delete;
+  [[nodiscard]] std::size_t bytes() const {
+    return sizeof(Table) + cell_list.size() * sizeof(Cell) + slot_list.size() * sizeof(slot_list[0]);
+  }
+};
+
+namespace detail {
+
+/// On unloading, of a shape that is no power: force and contact radius over those at the largest overlap
+/// x_top, and the force's slope over x.
+PLATEN_RARE void own_shape(const TableView& t, double xi, double x, double x_top, double rate, double& part,
+                           double& slope, double& radius) {
+  if (t.shape == Shape::indenter) {
+    radius = std::sqrt(xi * (2 - xi));
+    // acos(1 - xi) - (1 - xi) sqrt(2 xi - xi^2), whose terms cancel for small xi
+    const double area = xi < 1e-4 ? 4.0 / 3 * std::sqrt(2 * xi) * xi : std::acos(1 - xi) - (1 - xi) * radius;
+    part = 2 / std::numbers::pi * area;
+    slope = 4 / std::numbers::pi * radius * rate;
+    return;
+  }
+  const double p = power(x / x_top, t.n), rest = 1 - t.lambda_p;
+  part = larger((p - t.lambda_p) / rest, 0.0);
+  slope = t.n * p / (rest * x);
+  radius = std::sqrt(x / x_top);
+}
+
+} // namespace detail
+
+/// The whole law in one pure step: remembered state and overlap in, response and new state out. An overlap
+/// that is no number gives a response that is none, and leaves the memory alone.
+PLATEN_HOT Response evaluate(const TableView& t, const Scale& s, const State& old, double overlap) {
+  Response now;
+  if (overlap != overlap) {
+    now.force = now.stiffness = now.contact_radius = now.mean_pressure = now.dissipated_work = overlap;
+    now.state = old;
+    now.in_range = false;
+    return now;
+  }
+  const bool beyond = TableView::x_limit < overlap * s.x_per_gamma;
+  const double gamma = beyond ? TableView::x_limit / s.x_per_gamma : overlap;
+  const double gamma_max = larger(gamma, old.gamma_max);
+  now.state = {gamma, gamma_max};
+  const double x = gamma * s.x_per_gamma, x_max = gamma_max * s.x_per_gamma;
+  now.in_range = !beyond && t.in_range(x_max);
+  const bool elastic = x_max <= t.x_elastic;
+  const double x_top = detail::pick(elastic, x, x_max); // where the loading curve is left
+  if (!(0 < x_top)) return now;                         // never touched, or apart without a trace
+  const Top top = t.top(x_top);
+  if (!(0 < top.F)) return now; // an overlap so small that its force is no number
+  const double rate = 1 / top.w, xi = 1 - (x_top - x) * rate;
+  now.dissipated_work = s.work * top.lost;
+  if (const double left = 1 - rate * x_top; 1e-9 < left)
+      [[unlikely]] // some published curves: force at the parting
+    now.dissipated_work += s.work * top.back() * left * power(left, top.alpha);
+  const bool touching = (0 < xi) & (0 < x);
+  double part = 1, slope = top.slope, radius = 1; // of force, its slope over x, and contact radius at the top
+  if (x < x_top) { // asked early: the processor guesses, and a wrong guess costs less the sooner it is seen
+    if (t.shape == Shape::power) {
+      const double base = detail::pick(touching, xi, 1);
+      radius = t.all_three_halves ? std::sqrt(base) : detail::fast_power(base, top.alpha - 1);
+      part = base * radius;
+      slope =
+          top.F * top.alpha * radius * rate; // dF/dgamma stays proportional to a, as for any elastic punch
+    } else if (touching) {
+      detail::own_shape(t, xi, x, x_top, rate, part, slope, radius);
+      slope *= top.F;
+    }
+  }
+  part = detail::pick(touching, part, 0);
+  slope = detail::pick(touching, slope, 0);
+  radius = detail::pick(touching, radius, 0);
+  now.force = s.force * top.F * part;
+  now.stiffness = beyond ? 0 : s.force * s.x_per_gamma * slope;
+  now.contact_radius = s.R_e * top.a * radius;
+  now.mean_pressure = detail::mean_pressure(now.force, now.contact_radius);
+  const int going = 3 - 2 * (old.gamma_max < gamma) - ((gamma < old.gamma) & !(old.gamma_max < gamma));
+  now.branch = static_cast<Branch>(touching * going);
+  return now;
+}
+
+/// A law for two bodies, ready to run. Copies share the table.
+struct Law {
+  Pair pair;
+  Scale scale;
+  std::shared_ptr<const Table> table;
+  double gamma_elastic = 0; ///< up to here unloading retraces the loading curve [m]
+  double force_power = 2;   ///< the force goes with R_e to this power
+};
+
+PLATEN_HOT Response evaluate(const Law& law, const State& old, double overlap) {
+  return evaluate(static_cast<const TableView&>(*law.table), law.scale, old, overlap);
+}
+
+/// How unloading from `gamma` goes, as a power law; of a law with a shape of its own, the one that returns
+/// its work.
+inline Unloading<double> unloading_at(const Law& law, double gamma) {
+  const Top top = law.table->top(gamma * law.scale.x_per_gamma);
+  return {law.scale.x_per_gamma / top.w, top.alpha};
+}
+
+/// Work of loading to `gamma` [J].
+inline double loading_work(const Law& law, double gamma) {
+  return law.table->top(gamma * law.scale.x_per_gamma).work() * law.scale.work;
+}
+
+} // namespace platen::law

@@ -1,0 +1,147 @@
+#include "dem/contacts.hpp"
+
+#include "core/error.hpp"
+#include "core/number.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace platen::dem {
+namespace {
+
+using core::InvalidInput;
+
+double eight_G(const law::Pair& pair) {
+  double compliance = 0; // 1/G* = sum (2 - nu)/G
+  for (const auto& side : pair.body) compliance += (2 - side.nu) * 2 * (1 + side.nu) * side.compliance;
+  return compliance > 0 ? 8 / compliance : 0;
+}
+
+bool has_elasticity(const fit::LawCard& card) {
+  const auto& parameters = law::find_law(card.law).parameters;
+  return std::ranges::any_of(parameters, [](const auto& p) { return p.key == "E_Pa"; });
+}
+
+/// A card is for one material; what it says of a second body or of a plane belongs elsewhere.
+void check_side(const fit::LawCard& card, bool on_plane) {
+  const auto against = card.parameters.find("against");
+  if (!on_plane && against != card.parameters.end() && against->second == "plane")
+    throw InvalidInput(
+        fmt::format("{}: the card is for a sphere against a plane, not between spheres", card.file));
+  for (const auto& p : law::find_law(card.law).parameters)
+    for (const std::string& key :
+         {std::string("radius2_m"), p.of == law::Of::body ? law::second_key(p.key) : ""})
+      if (const auto found = card.parameters.find(key); found != card.parameters.end())
+        throw InvalidInput(fmt::format(
+            "{}: the card is for one pair of unlike spheres ({} = {}); give a card for each material",
+            card.file, key, found->second));
+}
+
+law::LawChoice body_of(const fit::LawCard& card) {
+  law::LawChoice one{card.law, card.variant, card.parameters};
+  one.parameters.erase("radius_m");
+  one.parameters.erase("against");
+  return one;
+}
+
+} // namespace
+
+void check(const Contact& contact) {
+  check_side(contact.one, contact.on_plane);
+  if (!contact.on_plane) check_side(contact.two, false);
+  if (!(contact.restitution > 0 && contact.restitution <= 1))
+    throw InvalidInput(
+        fmt::format("damping {} is not a restitution coefficient in (0, 1]", contact.restitution));
+  if (!(contact.friction >= 0 && std::isfinite(contact.friction)))
+    throw InvalidInput(fmt::format("friction {} is not a coefficient of 0 or more", contact.friction));
+}
+
+double damping_of(double restitution) {
+  const double l = std::log(restitution);
+  return 2 * std::sqrt(5.0 / 6) * -l / std::hypot(l, std::numbers::pi);
+}
+
+Laws::Laws(Contact contact_, int index_, const Units& units)
+    : contact(std::move(contact_)), index(index_), damping(damping_of(contact.restitution)),
+      length(units.length) {
+  for (const fit::LawCard* card : {&contact.one, &contact.two}) {
+    if (card == &contact.two && contact.on_plane) break;
+    fixed = fixed || card->parameters.contains("radius_m");
+    if (card->delta_bar) x_valid = std::min(x_valid, (*card->delta_bar)[1] * (1 + 1e-12));
+    if (contact.friction > 0 && !has_elasticity(*card))
+      throw InvalidInput(
+          fmt::format("{}: friction needs Young's modulus and Poisson's ratio, which the law {} does not "
+                      "have",
+                      card->file, card->law));
+  }
+  // Makes the first table: what cannot be is said before anything moves.
+  try {
+    const law::LawChoice one = body_of(contact.one);
+    const law::Law law =
+        contact.on_plane ? law::make_law_on_plane(one, 1) : law::make_law(one, 1, body_of(contact.two), 1);
+    shear = eight_G(law.pair) * units.length / units.force;
+    node_[contact.on_plane ? 0 : last] = law.table;
+    force_power = law.force_power;
+    plain = !contact.on_plane && !fixed && force_power == 2;
+  } catch (const law::BadParameter& error) {
+    const bool two = !contact.on_plane && contact.two.file != contact.one.file;
+    throw InvalidInput(
+        fmt::format("{}{}: {}", contact.one.file, two ? " with " + contact.two.file : "", error.what()));
+  }
+}
+
+void Laws::check_radius(const fit::LawCard& card, double R) const {
+  const auto own = card.parameters.find("radius_m");
+  if (own == card.parameters.end()) return;
+  const auto radius = core::number_from(own->second);
+  if (!radius || std::abs(*radius - R) > 1e-9 * R)
+    throw InvalidInput(
+        fmt::format("{}: the card is for radius_m = {}, and does not cover a particle of radius {} m",
+                    card.file, own->second, R));
+}
+
+/// A R_e = s = 2/sqrt(1 + 3 t^2), t = (R1 - R2)/(R1 + R2).
+const law::Table* Laws::node(int k, bool first_is_larger) {
+  if (k == last || contact.one.file == contact.two.file) first_is_larger = false; // the same from both sides
+  auto& table = (first_is_larger ? mirrored_ : node_)[static_cast<std::size_t>(k)];
+  if (table) return table.get();
+  const double s = 1 + static_cast<double>(k) / last, t = std::sqrt((4 / (s * s) - 1) / 3);
+  const law::LawChoice one = body_of(contact.one), two = body_of(contact.two);
+  const double small = k == 0 ? 1 : 1 - t, large = k == 0 ? law::infinity : 1 + t;
+  table =
+      (first_is_larger ? law::make_law(one, large, two, small) : law::make_law(one, small, two, large)).table;
+  return table.get();
+}
+
+Laws::At Laws::between(double R1, double R2) {
+  At at;
+  if (fixed) {
+    check_radius(contact.one, R1 * length);
+    if (!contact.on_plane) check_radius(contact.two, R2 * length);
+  }
+  if (contact.on_plane) {
+    const double R = R1 * length, F = force_power == 2 ? R * R : std::pow(R, force_power);
+    at.table = node_[0].get();
+    at.scale = {R, 1 / R, F, F * R};
+    return at;
+  }
+  const double mean = (R1 + R2) / 2 * length, t = (R1 - R2) / (R1 + R2), t2 = t * t,
+               root = std::sqrt(1 + 3 * t2);
+  const double R_e = mean * (1 - t2) / root, x_per_gamma = (1 + 3 * t2) / (2 * (1 - t2) * mean);
+  const double F = force_power == 2 ? R_e * R_e : std::pow(R_e, force_power);
+  at.scale = {R_e, x_per_gamma, F, F / x_per_gamma};
+  at.table = node(static_cast<int>(std::lround((2 / root - 1) * last)), t > 0);
+  return at;
+}
+
+std::size_t Laws::bytes() const {
+  std::size_t sum = sizeof(Laws);
+  for (const auto* list : {&node_, &mirrored_})
+    for (const auto& table : *list) sum += table ? table->bytes() : 0;
+  return sum;
+}
+
+} // namespace platen::dem

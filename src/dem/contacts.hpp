@@ -1,0 +1,85 @@
+#pragma once
+// Law cards as a DEM code needs them: for each pair of particle types the laws of the two materials, for
+// spheres of any radii, with friction and damping. Knows nothing of a host.
+
+#include "fit/law_card.hpp"
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace platen::dem {
+
+/// What a host's length and force are in SI.
+struct Units {
+  double length = 1; ///< [m]
+  double force = 1;  ///< [N]
+};
+
+/// One pair of particle types, or one wall.
+struct Contact {
+  fit::LawCard one, two; ///< the second side; of a wall unused
+  bool on_plane = false;
+  double restitution = 1; ///< of an elastic contact: viscous damping gives it, plastic loss comes on top
+  double friction = 0;    ///< Coulomb's coefficient
+};
+
+/// Checks a card for what a DEM code can do with it. Throws core::InvalidInput.
+void check(const Contact&);
+
+/// `damping` for a restitution coefficient: 2 sqrt(5/6) |ln e|/sqrt(ln^2 e + pi^2), which returns e for
+/// Hertz's contact at any velocity (Tsuji, Tanaka & Ishida 1992; Antypov & Elliott 2011).
+double damping_of(double restitution);
+
+/// The laws of two materials. One table serves all radii with the same A R_e (law/pair.hpp), 2 for equal
+/// spheres and 1 against a plane; others take the next of 512, whose modulus is right to 0.1 %. Each is made
+/// when it is first needed.
+class Laws {
+ public:
+  Laws(Contact, int index, const Units&);
+
+  /// Table and scale for radii of the host. May make tables: throws core::InvalidInput where the cards do not
+  /// cover them.
+  struct At {
+    const law::Table* table = nullptr;
+    law::Scale scale; ///< SI
+  };
+  PLATEN_HOT At at(double R1, double R2) {
+    if (R1 == R2 && plain) { // equal spheres, most often
+      const double R = R1 * length, square = R * R;
+      return {node_[last].get(), {R, 0.5 / R, square, 2 * R * square}};
+    }
+    return between(R1, R2);
+  }
+  /// Whether both cards hold at a largest overlap x of the table.
+  [[nodiscard]] PLATEN_HOT bool valid(const law::Table& table, double x) const {
+    return x <= x_valid && table.in_range(x);
+  }
+
+  [[nodiscard]] std::size_t bytes() const;
+
+  Contact contact;
+  int index = 0;
+  double shear = 0;   ///< 8 G*: tangential stiffness over contact radius (Mindlin) [force/length/m]
+  double damping = 0; ///< c = damping sqrt(dF/dgamma m_eff) [-]
+  double x_valid = law::infinity; ///< the cards hold up to here, delta/R
+
+ private:
+  static constexpr int last = 512; ///< A R_e = 1 + k/512
+  At between(double R1, double R2);
+  const law::Table* node(int k, bool first_is_larger);
+  void check_radius(const fit::LawCard&, double R) const;
+
+  double length = 1, force_power = 2;
+  bool fixed = false; ///< a card is for one radius alone
+  bool plain = false; ///< nothing to be asked of equal spheres
+  std::array<std::shared_ptr<const law::Table>, last + 1> node_, mirrored_; ///< first sphere smaller; larger
+};
+
+/// The response of the laws at an overlap, with the largest overlap so far [m].
+PLATEN_HOT law::Response respond(const Laws::At& at, double gamma_max, double overlap_m) {
+  return law::evaluate(*at.table, at.scale, law::State{0, gamma_max}, overlap_m);
+}
+
+} // namespace platen::dem
