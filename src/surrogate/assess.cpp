@@ -35,7 +35,8 @@ std::vector<fs::path> surrogate_files() {
     std::error_code error;
     std::vector<fs::path> here;
     for (const auto& pool : fs::directory_iterator(catalogue / "pools", error))
-      if (fs::is_regular_file(pool.path() / "surrogate.txt", error)) here.push_back(pool.path() / "surrogate.txt");
+      if (fs::is_regular_file(pool.path() / "surrogate.txt", error))
+        here.push_back(pool.path() / "surrogate.txt");
     std::sort(here.begin(), here.end());
     for (const auto& file : here)
       if (std::none_of(files.begin(), files.end(), [&](const fs::path& other) {
@@ -62,15 +63,18 @@ Assessment assess(const Surrogate& s, const Description& d, const Prediction& p)
     if (high - low > slack)
       note(a, Verdict::outside, fmt::format("{} = {:.4g} is not in {:.4g} to {:.4g}", key, value, low, high));
     else if (s.model == "von-mises" && key == "nu" && value <= metal_nu_most)
-      note(a, Verdict::near_the_edge, fmt::format("nu = {:.4g}, where all were pressed with {:.4g}", value, low));
+      note(a, Verdict::near_the_edge,
+           fmt::format("nu = {:.4g}, where all were pressed with {:.4g}", value, low));
     else note(a, Verdict::outside, fmt::format("{} = {:.4g}, where all have {:.4g}", key, value, low));
   }
   a.knots = s.knots.size();
   if (grows(locked_growth, s.knots, p.F_bar))
-    note(a, Verdict::outside,
-         fmt::format("it locks (its force grows more than {}-fold from delta/R0 = 0.3 on), and such presses depend on "
-                     "their mesh",
-                     locked_growth));
+    note(
+        a, Verdict::outside,
+        fmt::format(
+            "it locks (its force grows more than {}-fold from delta/R0 = 0.3 on), and such presses depend on "
+            "their mesh",
+            locked_growth));
   if (p.expected.back() <= certain) return a;
   const auto upto = std::find_if(p.expected.begin(), p.expected.end(), [](double e) { return e > usable; });
   a.knots = static_cast<std::size_t>(upto - p.expected.begin());
@@ -94,7 +98,8 @@ std::vector<Near> nearest(const Surrogate& s, const Description& d, std::size_t 
     for (std::size_t k = 0; k < at.size(); ++k) squares += std::pow(w[k] * (at[k] - inputs.row(i)[k]), 2);
     all.push_back({i, std::sqrt(squares)});
   }
-  std::stable_sort(all.begin(), all.end(), [](const Near& x, const Near& y) { return x.distance < y.distance; });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Near& x, const Near& y) { return x.distance < y.distance; });
   all.resize(std::min(all.size(), count));
   return all;
 }
@@ -123,10 +128,10 @@ Answer ask_catalogue(const Description& d) {
     best = Answer{std::move(s), std::move(p), std::move(a)};
   }
   if (!best)
-    throw core::InvalidInput(fmt::format(
-        "the catalogue has no surrogate of {} materials; `platen study surrogate` makes one of a pool, `platen derive` "
-        "presses the material",
-        d.model));
+    throw core::InvalidInput(fmt::format("the catalogue has no surrogate of {} materials; `platen study "
+                                         "surrogate` makes one of a pool, `platen derive` "
+                                         "presses the material",
+                                         d.model));
   return std::move(*best);
 }
 

@@ -12,7 +12,8 @@
 namespace platen::surrogate {
 namespace {
 
-constexpr std::string_view head = "platen-surrogate 1"; // raised when the coordinates of a model, or what follows, change
+constexpr std::string_view head =
+    "platen-surrogate 1"; // raised when the coordinates of a model, or what follows, change
 
 class Writer {
  public:
@@ -31,9 +32,10 @@ class Reader {
  public:
   Reader(std::string_view text, std::string file) : rest_(text), file_(std::move(file)) {
     if (line() != head)
-      throw core::InvalidInput(fmt::format("{} is no surrogate that this version reads; make it again with `platen "
-                                           "study surrogate`",
-                                           file_));
+      throw core::InvalidInput(
+          fmt::format("{} is no surrogate that this version reads; make it again with `platen "
+                      "study surrogate`",
+                      file_));
   }
 
   /// The key of the next line.
@@ -42,7 +44,8 @@ class Reader {
   std::string_view word(std::string_view key) {
     const auto one = line();
     if (!one.starts_with(key) || (one.size() > key.size() && one[key.size()] != ' '))
-      throw core::InvalidInput(fmt::format("{}, line {}: '{}' is expected; the file is damaged", file_, number_, key));
+      throw core::InvalidInput(
+          fmt::format("{}, line {}: '{}' is expected; the file is damaged", file_, number_, key));
     return one.substr(std::min(one.size(), key.size() + 1));
   }
   std::vector<double> list(std::string_view key) {
@@ -52,7 +55,8 @@ class Reader {
       double value = 0;
       const auto read = std::from_chars(at, end, value);
       if (read.ec != std::errc())
-        throw core::InvalidInput(fmt::format("{}, line {}: not a list of numbers; the file is damaged", file_, number_));
+        throw core::InvalidInput(
+            fmt::format("{}, line {}: not a list of numbers; the file is damaged", file_, number_));
       values.push_back(value);
       at = read.ptr + (read.ptr < end);
     }
@@ -61,8 +65,9 @@ class Reader {
   std::vector<double> list(std::string_view key, std::size_t length) {
     auto values = list(key);
     if (values.size() != length)
-      throw core::InvalidInput(fmt::format("{}, line {}: {} numbers where {} are expected; the file is damaged", file_,
-                                           number_, values.size(), length));
+      throw core::InvalidInput(
+          fmt::format("{}, line {}: {} numbers where {} are expected; the file is damaged", file_, number_,
+                      values.size(), length));
     return values;
   }
   double number(std::string_view key) { return list(key, 1)[0]; }

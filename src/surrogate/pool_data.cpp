@@ -56,7 +56,8 @@ PoolData read_pool_data(const fs::path& folder, Take take) {
   const auto runs = core::read_csv(folder / "runs.csv");
   const auto engine = core::number_from(pool.engine);
   if (!engine)
-    throw core::InvalidInput(fmt::format("{}: pressed by engines {}; a surrogate wants one", runs.file, pool.engine));
+    throw core::InvalidInput(
+        fmt::format("{}: pressed by engines {}; a surrogate wants one", runs.file, pool.engine));
   PoolData data;
   data.name = name_of(folder);
   data.engine = static_cast<int>(*engine);
@@ -108,8 +109,8 @@ PoolData read_pool_data(const fs::path& folder, Take take) {
   }
   constexpr std::size_t fewest = 5;
   if (data.runs.size() < fewest)
-    throw core::InvalidInput(fmt::format("{}: {} runs are done; a surrogate wants {} at least", folder.string(),
-                                         data.runs.size(), fewest));
+    throw core::InvalidInput(fmt::format("{}: {} runs are done; a surrogate wants {} at least",
+                                         folder.string(), data.runs.size(), fewest));
   return data;
 }
 

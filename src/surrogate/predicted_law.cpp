@@ -38,16 +38,23 @@ Held held(const Answer& answer) {
     return std::vector<double>(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count));
   };
   const double end = s.knots[a.knots - 1];
-  const auto branches = static_cast<std::size_t>(
-      std::count_if(s.unload_delta_bar.begin(), s.unload_delta_bar.end(), [&](double x) { return x <= end; }));
-  Held h{first(s.knots, a.knots), first(p.F_bar, a.knots), first(p.a_bar, a.knots), first(p.band, a.knots),
-         first(s.unload_delta_bar, branches), first(p.alpha, branches), first(p.beta, branches),
+  const auto branches = static_cast<std::size_t>(std::count_if(
+      s.unload_delta_bar.begin(), s.unload_delta_bar.end(), [&](double x) { return x <= end; }));
+  Held h{first(s.knots, a.knots),
+         first(p.F_bar, a.knots),
+         first(p.a_bar, a.knots),
+         first(p.band, a.knots),
+         first(s.unload_delta_bar, branches),
+         first(p.alpha, branches),
+         first(p.beta, branches),
          p.expected[a.knots - 1]};
-  for (double& alpha : h.alpha) alpha = std::clamp(alpha, 1.0, 10.0); // what laws take; fits are held there as well
+  for (double& alpha : h.alpha)
+    alpha = std::clamp(alpha, 1.0, 10.0); // what laws take; fits are held there as well
   return h;
 }
 
-void say_where_from(fit::LawCard& card, const Answer& answer, const Held& h, const material::Material& material) {
+void say_where_from(fit::LawCard& card, const Answer& answer, const Held& h,
+                    const material::Material& material) {
   const Surrogate& s = answer.surrogate;
   card.errors.emplace_back("band_90", rounded(h.band));
   card.provenance = {{"material", material.name},
@@ -57,8 +64,8 @@ void say_where_from(fit::LawCard& card, const Answer& answer, const Held& h, con
                      {"engine", s.engine}};
 }
 
-/// The law pressed wants curves that grow: held level where they fall, by less than is known of them anyway. `most`: the
-/// largest share by which a value was raised.
+/// The law pressed wants curves that grow: held level where they fall, by less than is known of them anyway.
+/// `most`: the largest share by which a value was raised.
 std::vector<double> growing(const std::vector<double>& values, double least, double& most) {
   std::vector<double> result;
   for (const double value : values) {
@@ -75,10 +82,10 @@ fit::LawCard pressed_card(const Answer& answer, const material::Material& materi
   double raised = 0, raised_a = 0;
   const auto F_bar = growing(h.F_bar, 2e-5, raised), a_bar = growing(h.a_bar, 0, raised_a);
   if (raised > std::max(0.02, *std::max_element(h.band.begin(), h.band.end())))
-    throw core::InvalidInput(fmt::format(
-        "{}: the predicted force falls by {:.2g} % while the overlap grows, which the law pressed cannot hold; --law "
-        "edmans-sinka, or `platen press`, can",
-        material.name, 100 * raised));
+    throw core::InvalidInput(fmt::format("{}: the predicted force falls by {:.2g} % while the overlap grows, "
+                                         "which the law pressed cannot hold; --law "
+                                         "edmans-sinka, or `platen press`, can",
+                                         material.name, 100 * raised));
   fit::LawCard card;
   card.law = "pressed";
   card.parameters = {{"E_Pa", core::number_text(material::initial_E(material.model))},
@@ -92,12 +99,14 @@ fit::LawCard pressed_card(const Answer& answer, const material::Material& materi
                      {"beta", list_of(h.beta)}};
   card.delta_bar = {0, h.knots.back()};
   card.errors = {{"relative_l2", rounded({h.expected})[0]}};
-  if (std::max(raised, raised_a) > 1e-4) card.errors.emplace_back("held_level", rounded({std::max(raised, raised_a)})[0]);
+  if (std::max(raised, raised_a) > 1e-4)
+    card.errors.emplace_back("held_level", rounded({std::max(raised, raised_a)})[0]);
   say_where_from(card, answer, h, material);
   return card;
 }
 
-fit::LawCard edmans_sinka_card(const Answer& answer, const material::Material& material, const std::string& variant) {
+fit::LawCard edmans_sinka_card(const Answer& answer, const material::Material& material,
+                               const std::string& variant) {
   const Held h = held(answer);
   press::Curve curve;
   curve.radius_m = 1;

@@ -43,14 +43,16 @@ MatrixXd matrix_of(const Process& p, const Inputs& inputs) {
   MatrixXd R(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index j = 0; j <= i; ++j)
-      R(i, j) = R(j, i) = covariance(unit, inputs.row(static_cast<std::size_t>(i)), inputs.row(static_cast<std::size_t>(j)));
+      R(i, j) = R(j, i) =
+          covariance(unit, inputs.row(static_cast<std::size_t>(i)), inputs.row(static_cast<std::size_t>(j)));
     R(i, i) += p.nugget;
   }
   return R;
 }
 
-/// Where the prior of ln w, ln b and ln n is centred, and how wide it is: lengths of one and a half times the range within
-/// a factor of four or so, slopes as large as the values, a nugget of a thousandth of the deviation.
+/// Where the prior of ln w, ln b and ln n is centred, and how wide it is: lengths of one and a half times the
+/// range within a factor of four or so, slopes as large as the values, a nugget of a thousandth of the
+/// deviation.
 struct Prior {
   double centre, width;
 };
@@ -60,7 +62,8 @@ constexpr Prior of_w{-0.4, 1.4}, of_plane{0, 2}, of_nugget{-13, 3};
 class Objective final : public ceres::FirstOrderFunction {
  public:
   Objective(const Inputs& inputs, std::span<const double> values)
-      : inputs_(inputs), y_(Eigen::Map<const VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))) {}
+      : inputs_(inputs),
+        y_(Eigen::Map<const VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))) {}
 
   int NumParameters() const override { return static_cast<int>(inputs_.dimensions) + 2; }
 
@@ -86,7 +89,8 @@ class Objective final : public ceres::FirstOrderFunction {
     if (!(v > 0)) return false;
     const auto lower = factor.matrixLLT().diagonal();
     *cost = static_cast<double>(n) * std::log(v) + 2 * lower.array().log().sum();
-    for (std::size_t k = 0; k < d + 2; ++k) *cost += std::pow((theta[k] - prior(k).centre) / prior(k).width, 2);
+    for (std::size_t k = 0; k < d + 2; ++k)
+      *cost += std::pow((theta[k] - prior(k).centre) / prior(k).width, 2);
     if (!gradient) return true;
     // d cost = sum_ij G_ij dR_ij
     const MatrixXd G = factor.solve(MatrixXd::Identity(n, n)) - z * z.transpose() / v;

@@ -21,8 +21,8 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 constexpr double negligible = 5e-4; ///< of a logarithm: what the components may leave out, root mean square
 constexpr std::size_t most_components = 10;
 
-/// How far metals of the same E/((1 - nu^2) sigma_y) differ in force by their Poisson's ratios, one standard deviation:
-/// 0.6 % for 0.2, 2.1 % for 0, where 0.3 is predicted (catalogue/pools/von-mises-nu).
+/// How far metals of the same E/((1 - nu^2) sigma_y) differ in force by their Poisson's ratios, one standard
+/// deviation: 0.6 % for 0.2, 2.1 % for 0, where 0.3 is predicted (catalogue/pools/von-mises-nu).
 constexpr double per_nu = 0.07;
 
 /// Rows: runs.
@@ -39,7 +39,8 @@ Reduced reduce(const Table& table) {
   const auto n = static_cast<Eigen::Index>(table.size()), m = static_cast<Eigen::Index>(table[0].size());
   MatrixXd Y(n, m);
   for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < m; ++j) Y(i, j) = table[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
+    for (Eigen::Index j = 0; j < m; ++j)
+      Y(i, j) = table[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
   const VectorXd mean = Y.colwise().mean();
   Y.rowwise() -= mean.transpose();
   const Eigen::BDCSVD<MatrixXd> svd(Y, Eigen::ComputeThinU | Eigen::ComputeThinV);
@@ -47,7 +48,8 @@ Reduced reduce(const Table& table) {
   reduced.components.mean.assign(mean.data(), mean.data() + m);
   MatrixXd rest = Y;
   const auto rms = [&] { return std::sqrt(rest.squaredNorm() / static_cast<double>(n * m)); };
-  for (Eigen::Index c = 0; c < std::min(n, m) && reduced.scores.size() < most_components && rms() > negligible; ++c) {
+  for (Eigen::Index c = 0;
+       c < std::min(n, m) && reduced.scores.size() < most_components && rms() > negligible; ++c) {
     VectorXd direction = svd.matrixV().col(c);
     if (direction.sum() < 0) direction = -direction; // signs are the decomposition's whim
     const VectorXd score = Y * direction;
@@ -112,9 +114,10 @@ std::vector<Both> in_both(const PoolData& fine, const PoolData& coarse) {
   if (fine.engine != coarse.engine || fine.knots != coarse.knots ||
       (!coarse.unload_delta_bar.empty() && fine.unload_delta_bar != coarse.unload_delta_bar) ||
       fine.runs.front().description.model != coarse.runs.front().description.model)
-    throw core::InvalidInput(fmt::format("pools {} and {} differ in model, engine, or the overlaps at which their curves "
-                                         "are given: one cannot be the coarse presses of the other",
-                                         fine.name, coarse.name));
+    throw core::InvalidInput(
+        fmt::format("pools {} and {} differ in model, engine, or the overlaps at which their curves "
+                    "are given: one cannot be the coarse presses of the other",
+                    fine.name, coarse.name));
   const auto same = [](const Pressed& one, const Pressed& other) {
     for (std::size_t k = 0; k < one.description.numbers.size(); ++k)
       if (one.description.numbers[k].value != other.description.numbers[k].value) return false;
@@ -126,8 +129,9 @@ std::vector<Both> in_both(const PoolData& fine, const PoolData& coarse) {
       if (same(fine.runs[i], coarse.runs[j])) both.push_back({i, j});
   constexpr std::size_t fewest = 5;
   if (both.size() < fewest)
-    throw core::InvalidInput(fmt::format("{} materials were pressed in both pools, {} and {}; {} are wanted at least",
-                                         both.size(), fine.name, coarse.name, fewest));
+    throw core::InvalidInput(
+        fmt::format("{} materials were pressed in both pools, {} and {}; {} are wanted at least", both.size(),
+                    fine.name, coarse.name, fewest));
   return both;
 }
 
@@ -161,7 +165,8 @@ std::vector<double> exponentials(const std::vector<double>& values, std::size_t 
   return result;
 }
 
-double relative_l2(const std::vector<double>& x, const std::vector<double>& truth, const std::vector<double>& said) {
+double relative_l2(const std::vector<double>& x, const std::vector<double>& truth,
+                   const std::vector<double>& said) {
   return fit::errors({x, truth, fit::trapezoid_weights(x, 0)}, said).relative_l2;
 }
 
@@ -190,7 +195,8 @@ double hertz_overlap(double F_bar, const Description& d) {
   return std::pow(0.75 * std::numbers::pi * F_bar / E_flat, 2.0 / 3); // ES (12)
 }
 
-/// Of the unloading (9)-(14) of Edmans & Sinka, one side: overlap given back, and work over pi R0^3 sigma_ref.
+/// Of the unloading (9)-(14) of Edmans & Sinka, one side: overlap given back, and work over pi R0^3
+/// sigma_ref.
 struct Unloading {
   double returned, work;
 };
@@ -216,7 +222,8 @@ void add(std::vector<double>& sum, const std::vector<double>& more) {
   for (std::size_t j = 0; j < more.size(); ++j) sum[j] += more[j];
 }
 
-std::vector<double> values_at(const Components& components, const Inputs& inputs, std::span<const double> at) {
+std::vector<double> values_at(const Components& components, const Inputs& inputs,
+                              std::span<const double> at) {
   auto values = components.mean;
   for (std::size_t c = 0; c < components.basis.size(); ++c) {
     const double score = components.processes[c].mean(inputs, at);
@@ -226,7 +233,8 @@ std::vector<double> values_at(const Components& components, const Inputs& inputs
 }
 
 /// With the nugget: of a press, not of the mean of many.
-std::vector<double> variances_at(const Components& components, const Inputs& inputs, std::span<const double> at) {
+std::vector<double> variances_at(const Components& components, const Inputs& inputs,
+                                 std::span<const double> at) {
   std::vector<double> variance;
   for (const double rest : components.rest) variance.push_back(rest * rest);
   for (std::size_t c = 0; c < components.basis.size(); ++c) {
@@ -331,7 +339,8 @@ Layer fit_layer(const Surrogate& s, const Tables& tables, const std::vector<cons
                                           {&tables.unloading, &layer.unloading}}) {
     Reduced reduced = reduce(*table);
     *components = std::move(reduced.components);
-    for (const auto& scores : reduced.scores) components->processes.push_back(fit_process(layer.inputs, scores));
+    for (const auto& scores : reduced.scores)
+      components->processes.push_back(fit_process(layer.inputs, scores));
   }
   return layer;
 }
@@ -397,13 +406,16 @@ std::vector<Term> terms_of(const Surrogate& s, const Pools& pools, std::vector<s
   const auto both = in_both(pools.fine, *pools.coarse);
   std::vector<std::size_t> coarse;
   for (const auto& one : both) fine.push_back(one.fine), coarse.push_back(one.coarse);
-  return {{s.layers[0], tables_of(*pools.coarse), coarse},
-          {s.layers[1], change(tables_of(pools.fine), tables_of(*pools.coarse), both), numbered(both.size())}};
+  return {
+      {s.layers[0], tables_of(*pools.coarse), coarse},
+      {s.layers[1], change(tables_of(pools.fine), tables_of(*pools.coarse), both), numbered(both.size())}};
 }
 
-std::vector<Errors> errors_of(const Pools& pools, const std::vector<std::size_t>& fine, const std::vector<Said>& said) {
+std::vector<Errors> errors_of(const Pools& pools, const std::vector<std::size_t>& fine,
+                              const std::vector<Said>& said) {
   std::vector<Errors> errors;
-  for (std::size_t i = 0; i < fine.size(); ++i) errors.push_back(errors_of(pools.fine, pools.fine.runs[fine[i]], said[i]));
+  for (std::size_t i = 0; i < fine.size(); ++i)
+    errors.push_back(errors_of(pools.fine, pools.fine.runs[fine[i]], said[i]));
   return errors;
 }
 
@@ -432,7 +444,8 @@ Surrogate fit_surrogate(const Pools& pools) {
   s.band = band_of(errors);
   s.left_out = summary_of(errors, s.band);
   if (!guide) return s;
-  if (!coarse) throw core::InvalidInput(fmt::format("the guide {} wants coarse presses as well", guide->name));
+  if (!coarse)
+    throw core::InvalidInput(fmt::format("the guide {} wants coarse presses as well", guide->name));
   s.guide = Guide{guide->elements, guide->step_max, fit_change(s, *coarse, *guide), 0, {}};
   const auto guided = leave_out_guided(s, pools);
   s.guide->band = band_of(guided);
@@ -459,7 +472,8 @@ std::vector<Errors> leave_out_guided(const Surrogate& s, const Pools& pools) {
   std::vector<std::vector<std::size_t>> kept(2);
   std::vector<Said> said;
   for (std::size_t i = 0; i < fine.size(); ++i) {
-    const auto found = std::find_if(both.begin(), both.end(), [&](const Both& b) { return b.fine == terms[0].rows[i]; });
+    const auto found =
+        std::find_if(both.begin(), both.end(), [&](const Both& b) { return b.fine == terms[0].rows[i]; });
     if (found == both.end()) continue;
     changes.rows.push_back(static_cast<std::size_t>(found - both.begin()));
     kept_fine.push_back(fine[i]);
@@ -497,10 +511,11 @@ Loading press_guide(const Surrogate& s, const material::Material& material) {
     loading.a_bar.push_back(point.z.a_bar);
   }
   if (loading.F_bar.size() < s.knots.size())
-    throw core::ConvergenceError(fmt::format("{}: the press that guides the prediction did not get to delta/R0 = {:.4g}; "
-                                             "`platen derive` presses on more elements",
-                                             material.name, s.knots.back()),
-                                 0, 0, 0);
+    throw core::ConvergenceError(
+        fmt::format("{}: the press that guides the prediction did not get to delta/R0 = {:.4g}; "
+                    "`platen derive` presses on more elements",
+                    material.name, s.knots.back()),
+        0, 0, 0);
   return loading;
 }
 

@@ -27,7 +27,8 @@ Pressed metal(double E_bar, double factor, const PoolData& data) {
     run.beta.push_back(1 + at);
     const double returned = std::pow(0.75 * std::numbers::pi * F / lambda, 2.0 / 3) / run.beta.back();
     run.residual.push_back(at - returned);
-    run.branches.push_back({{at - returned, at}, {0, 2 * F / (run.alpha.back() + 1)}}); // the work of the power law
+    run.branches.push_back(
+        {{at - returned, at}, {0, 2 * F / (run.alpha.back() + 1)}}); // the work of the power law
   }
   return run;
 }
@@ -53,7 +54,9 @@ double worst(const std::vector<double>& said, const std::vector<double>& truth) 
   return most;
 }
 
-std::filesystem::path scratch() { return std::filesystem::path(::testing::TempDir()) / "platen-surrogate.txt"; }
+std::filesystem::path scratch() {
+  return std::filesystem::path(::testing::TempDir()) / "platen-surrogate.txt";
+}
 
 TEST(Surrogate, SaysCurvesBetweenThoseOfItsPool) {
   const auto data = metals();
@@ -85,8 +88,9 @@ TEST(Surrogate, IsTheSameFromItsFile) {
 
 TEST(Surrogate, RefusesADamagedFile) {
   const std::string text = text_of(fit_surrogate({metals()}));
-  for (const std::string& bad : {std::string("something else"), std::string(), text.substr(0, text.size() / 2),
-                                 std::string("platen-surrogate 0") + text.substr(18)}) {
+  for (const std::string& bad :
+       {std::string("something else"), std::string(), text.substr(0, text.size() / 2),
+        std::string("platen-surrogate 0") + text.substr(18)}) {
     core::write_file(scratch(), bad);
     EXPECT_THROW((void)read_surrogate(scratch()), core::InvalidInput) << bad.substr(0, 40);
   }
@@ -152,7 +156,8 @@ TEST(Surrogate, NamesTheNearestMaterials) {
 }
 
 TEST(Surrogate, HasNoPoolOfMaterialsThatHardenOrOfRock) {
-  EXPECT_THROW((void)describe(material::VonMises{1e9, 0.3, 1e7, material::Ludwik{1e7, 0.3}}), core::InvalidInput);
+  EXPECT_THROW((void)describe(material::VonMises{1e9, 0.3, 1e7, material::Ludwik{1e7, 0.3}}),
+               core::InvalidInput);
   EXPECT_THROW((void)describe(material::DruckerPrager{}), core::InvalidInput);
 }
 

@@ -1,5 +1,5 @@
-// The regressions that Edmans & Sinka publish (Appendix A), as printed and with two coefficients mended, beside the
-// surrogate on the same pool: what is gained by interpolating curves instead of parameters.
+// The regressions that Edmans & Sinka publish (Appendix A), as printed and with two coefficients mended,
+// beside the surrogate on the same pool: what is gained by interpolating curves instead of parameters.
 
 #include "fit/samples.hpp"
 #include "platen/law/edmans_sinka_appendix.hpp"
@@ -21,7 +21,8 @@ struct Figures {
   double median, p95, worst;
 };
 
-/// Relative L2 of law (6) with the parameters of the regressions, over the materials for which they are meant.
+/// Relative L2 of law (6) with the parameters of the regressions, over the materials for which they are
+/// meant.
 Figures of_appendix(const PoolData& data, law::EdmansSinkaVariant variant) {
   std::vector<double> errors;
   for (const auto& run : data.runs) {
@@ -36,8 +37,8 @@ Figures of_appendix(const PoolData& data, law::EdmansSinkaVariant variant) {
   }
   std::sort(errors.begin(), errors.end());
   const Figures f{errors[errors.size() / 2], errors[errors.size() * 95 / 100], errors.back()};
-  std::printf("  %zu materials: median %.1f %%, 95 %% %.1f %%, worst %.1f %%\n", errors.size(), 100 * f.median,
-              100 * f.p95, 100 * f.worst);
+  std::printf("  %zu materials: median %.1f %%, 95 %% %.1f %%, worst %.1f %%\n", errors.size(),
+              100 * f.median, 100 * f.p95, 100 * f.worst);
   return f;
 }
 
