@@ -10,9 +10,9 @@
 // Where even that is not certain enough, a material may be pressed on very few elements first, its guide;
 // then the first layer is of what the logarithms change from there.
 
+#include "surrogate/components.hpp"
 #include "surrogate/description.hpp"
 #include "surrogate/pool_data.hpp"
-#include "surrogate/process.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -20,14 +20,6 @@
 #include <vector>
 
 namespace platen::surrogate {
-
-/// Values that go together, as mean + sum_c (score_c) basis_c.
-struct Components {
-  std::vector<double> mean;
-  std::vector<std::vector<double>> basis;
-  std::vector<double> rest; ///< standard deviation of what the components leave out
-  std::vector<Process> processes;
-};
 
 /// One sum of components for each quantity.
 struct Layer {
@@ -113,6 +105,8 @@ std::vector<Errors> leave_out(const Surrogate&, const Pools&);
 std::vector<Errors> leave_out_guided(const Surrogate&, const Pools&);
 /// Of each material of a pool that the surrogate was not made of, unloaded from the same overlaps.
 std::vector<Errors> errors_beside(const Surrogate&, const PoolData&, bool guided = false);
+/// The number of standard deviations that nine tenths of the errors at knots lie within.
+double band_of(const std::vector<Errors>&);
 LeaveOneOut summary_of(const std::vector<Errors>&, double band);
 
 struct Prediction {
