@@ -61,11 +61,11 @@ Assessment assess(const Surrogate& s, const Description& d, const Prediction& p)
     const double slack = 1e-6 * std::max(std::abs(low), std::abs(high)) + 1e-12;
     if (value >= low - slack && value <= high + slack) continue;
     if (high - low > slack)
-      note(a, Verdict::outside, fmt::format("{} = {:.4g} is not in {:.4g} to {:.4g}", key, value, low, high));
+      note(a, Verdict::outside, fmt::format("{} = {:.6g} is not in {:.6g} to {:.6g}", key, value, low, high));
     else if (s.model == "von-mises" && key == "nu" && value <= metal_nu_most)
       note(a, Verdict::near_the_edge,
            fmt::format("nu = {:.4g}, where all were pressed with {:.4g}", value, low));
-    else note(a, Verdict::outside, fmt::format("{} = {:.4g}, where all have {:.4g}", key, value, low));
+    else note(a, Verdict::outside, fmt::format("{} = {:.6g}, where all have {:.6g}", key, value, low));
   }
   a.knots = s.knots.size();
   if (grows(locked_growth, s.knots, p.F_bar))

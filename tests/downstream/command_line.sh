@@ -57,7 +57,7 @@ answers 0 'verdict        inside' "$platen" predict base-case --law edmans-sinka
 has predicted.toml
 answers 0 '"verdict": "inside"' "$platen" predict von-mises-100 --law edmans-sinka --json -o predicted.toml
 answers 0 'near the edge: nu = 0.25' "$platen" predict --E_Pa 2e9 --nu 0.25 --sigma_y_Pa 2e7 --law edmans-sinka -o predicted.toml
-answers 2 'E_bar = 1e+04 is not in 3 to 2000; `platen derive' "$platen" predict --E_Pa 1e9 --nu 0.3 --sigma_y_Pa 1e5 -o outside.toml
+answers 2 'E_bar = 10000 is not in 3 to 2000; ' "$platen" predict --E_Pa 1e9 --nu 0.3 --sigma_y_Pa 1e5 -o outside.toml
 has_not outside.toml
 answers 0 'warning: extrapolated' "$platen" predict --E_Pa 1e9 --nu 0.3 --sigma_y_Pa 1e5 --law edmans-sinka --extrapolate -o outside.toml
 answers 2 '--sigma_y_Pa is required' "$platen" predict --E_Pa 1e9 --nu 0.3
