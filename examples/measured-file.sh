@@ -3,6 +3,7 @@ set -eu
 platen=$(realpath "${1:-build/release/bin/platen}") # the program
 here=$(cd "$(dirname "$0")" && pwd)
 out=${2:-$(mktemp -d)} # where results go
+mkdir -p "$out"
 
 # A file as a testing machine writes it: Latin-1, semicolons, decimal commas; preload, hold, unloading.
 raw=$here/../tests/data/measured/s01_zwick_de.csv

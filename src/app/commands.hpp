@@ -19,5 +19,6 @@ void add_study(Command);
 void add_import(Command);
 void add_calibrate(Command);
 void add_convert(Command);
+void add_predict(Command);
 
 } // namespace platen::app

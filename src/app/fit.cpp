@@ -133,9 +133,11 @@ void fit_curve(const Options& o) {
     if (!o.card.empty()) {
       auto card = fit::law_card(curve, pressed, core::read_file(o.curve));
       for (const auto& remark : provenance) card.provenance.push_back(remark);
+      if (!flags.empty()) card.provenance.emplace_back("doubts", fmt::format("{}", fmt::join(flags, "; ")));
       core::write_file(o.card, text_of(card));
     }
     fmt::print("{}", o.json ? fit_json(curve, pressed) : fit_words(pressed));
+    for (const auto& flag : flags) core::say(fmt::format("doubted: {}\n", flag));
     return;
   }
   const FittedLaw law = fit_law(curve, o.variant);

@@ -44,13 +44,28 @@ case_card() { # MATERIAL LINES...
 # --- help ---
 answers 0 'platen derive' "$platen"
 answers 0 'platen 0.' "$platen" --version
-for command in materials point press fit derive import calibrate convert; do answers 0 'Example:' "$platen" $command --help; done
-for command in design run status export submit merge check; do answers 0 'Example:' "$platen" study $command --help; done
+for command in materials point press fit derive import calibrate convert predict; do answers 0 'Example:' "$platen" $command --help; done
+for command in design run status export submit merge check surrogate; do answers 0 'Example:' "$platen" study $command --help; done
 answers 0 '| `only` |' "$platen" study design --keys
 answers 2 'STUDY.toml is required' "$platen" study design
 answers 0 'mcc-ph-200' "$platen" materials
 answers 0 'sigma_y_Pa' "$platen" materials mcc-ph-200
 answers 0 '"model": "vmdc"' "$platen" materials mcc-ph-200 --json
+
+# --- predict ---
+answers 0 'verdict        inside' "$platen" predict base-case --law edmans-sinka -o predicted.toml
+has predicted.toml
+answers 0 '"verdict": "inside"' "$platen" predict von-mises-100 --law edmans-sinka --json -o predicted.toml
+answers 0 'near the edge: nu = 0.25' "$platen" predict --E_Pa 2e9 --nu 0.25 --sigma_y_Pa 2e7 --law edmans-sinka -o predicted.toml
+answers 2 'E_bar = 10000 is not in 3 to 2000; ' "$platen" predict --E_Pa 1e9 --nu 0.3 --sigma_y_Pa 1e5 -o outside.toml
+has_not outside.toml
+answers 0 'warning: extrapolated' "$platen" predict --E_Pa 1e9 --nu 0.3 --sigma_y_Pa 1e5 --law edmans-sinka --extrapolate -o outside.toml
+answers 2 '--sigma_y_Pa is required' "$platen" predict --E_Pa 1e9 --nu 0.3
+answers 2 'not both' "$platen" predict base-case --nu 0.3
+answers 2 'nu' "$platen" predict --E_Pa 1e9 --nu 0.6 --sigma_y_Pa 1e5
+answers 2 'no pool has drucker-prager materials' "$platen" predict wang-type-1
+answers 2 'no pool has metals that harden' "$platen" predict lead-ludwik
+answers 2 "did you mean 'pressed'?" "$platen" predict base-case --law presed
 
 # --- the command line ---
 answers 2 "did you mean 'derive'?" "$platen" deriv

@@ -1,0 +1,184 @@
+#include "app/commands.hpp"
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "core/nearest.hpp"
+#include "core/number.hpp"
+#include "core/say.hpp"
+#include "core/version.hpp"
+#include "material/card.hpp"
+#include "surrogate/predicted_law.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+namespace platen::app {
+namespace {
+
+struct Options {
+  std::string material, output = "law.toml", law = "pressed", variant = "published";
+  std::optional<double> E_Pa, nu, sigma_y_Pa;
+  bool guided = false, extrapolate = false, json = false;
+};
+
+material::Material material_of(const Options& o) {
+  const bool flags = o.E_Pa || o.nu || o.sigma_y_Pa;
+  if (flags && !o.material.empty())
+    throw core::InvalidInput(
+        fmt::format("{}: give a material, or --E_Pa, --nu and --sigma_y_Pa, not both", o.material));
+  if (!flags) {
+    if (o.material.empty()) refuse_missing("MATERIAL, or --E_Pa, --nu and --sigma_y_Pa,");
+    return material::read_card(o.material).material;
+  }
+  for (const auto& [name, value] :
+       {std::pair{"--E_Pa", o.E_Pa}, {"--nu", o.nu}, {"--sigma_y_Pa", o.sigma_y_Pa}})
+    if (!value) refuse_missing(name);
+  // Read as a card would be, so that what is refused there is refused here.
+  const auto card = core::parse_toml(
+      fmt::format("platen = 1\nname = \"perfectly plastic metal\"\nmodel = "
+                  "\"von-mises\"\n[parameters]\nE_Pa = {}\nnu = {}\nsigma_y_Pa = {}\n",
+                  core::number_text(*o.E_Pa), core::number_text(*o.nu), core::number_text(*o.sigma_y_Pa)),
+      "--E_Pa, --nu, --sigma_y_Pa");
+  return material::read_card(card).material;
+}
+
+double at(const surrogate::Answer& answer, const std::vector<double>& values, double delta_bar) {
+  const auto& knots = answer.surrogate.knots;
+  const auto found = std::lower_bound(knots.begin(), knots.end(), delta_bar - 1e-9);
+  return values[static_cast<std::size_t>(std::min(found, knots.end() - 1) - knots.begin())];
+}
+
+std::string words(const Options& o, const material::Material& material, const surrogate::Answer& answer,
+                  const std::vector<surrogate::Near>& near) {
+  const auto& [s, p, a] = answer;
+  std::string text = fmt::format(
+      "{}: law {} from {} materials of pool {}{} (engine {})\n", material.name, o.law, s.runs.size(), s.pool,
+      o.guided && s.guide ? fmt::format(" and a press on {} elements", s.guide->elements) : "", s.engine);
+  text += fmt::format("  verdict        {}{}{}\n", name_of(a.verdict), a.reasons.empty() ? "" : ": ",
+                      fmt::join(a.reasons, "; "));
+  const double end = s.knots[a.knots - 1];
+  const auto row = [&](const std::vector<double>& values) {
+    return std::pair{at(answer, values, 0.1), at(answer, values, end)};
+  };
+  const auto [F_early, F_end] = row(p.F_bar);
+  const auto [band_early, band_end] = row(p.band);
+  text += fmt::format("  force          F/(pi R0^2 sigma_ref) = {:.4g} at delta/R0 = 0.1, {:.4g} at {:.4g}\n",
+                      F_early, F_end, end);
+  text += fmt::format("  90 % band      {:.2g} % at 0.1, {:.2g} % at {:.4g} to either side; curve expected "
+                      "to be {:.2g} % off\n",
+                      100 * band_early, 100 * band_end, end, 100 * p.expected[a.knots - 1]);
+  const char* title = "nearest        ";
+  for (const auto& one : near) {
+    text += fmt::format("  {}{}\n", title, surrogate::words(s, one));
+    title = "               ";
+  }
+  return text + fmt::format("  law card       {}\n", o.output);
+}
+
+std::string json_of(const material::Material& material, const surrogate::Answer& answer,
+                    const std::vector<surrogate::Near>& near) {
+  const auto& [s, p, a] = answer;
+  nlohmann::ordered_json runs = nlohmann::ordered_json::array();
+  for (const auto& one : near) runs.push_back(s.runs[one.index]);
+  return nlohmann::ordered_json{{"platen", core::version},
+                                {"material", material.name},
+                                {"pool", s.pool},
+                                {"engine", s.engine},
+                                {"verdict", name_of(a.verdict)},
+                                {"reasons", a.reasons},
+                                {"expected_error", p.expected[a.knots - 1]},
+                                {"delta_bar_end", s.knots[a.knots - 1]},
+                                {"nearest_runs", runs},
+                                {"delta_bar", s.knots},
+                                {"F_bar", p.F_bar},
+                                {"band_90", p.band},
+                                {"a_bar", p.a_bar},
+                                {"unload_delta_bar", s.unload_delta_bar},
+                                {"alpha", p.alpha},
+                                {"beta", p.beta}}
+             .dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) +
+         "\n";
+}
+
+void guide(surrogate::Answer& answer, const material::Material& material,
+           const surrogate::Description& description) {
+  const auto& s = answer.surrogate;
+  if (!s.guide) {
+    core::say(fmt::format("note: pool {} has no guide, and is without one expected to be {:.2g} % off\n",
+                          s.pool, 100 * answer.prediction.expected.back()));
+    return;
+  }
+  const auto loading = surrogate::press_guide(s, material);
+  answer.prediction = surrogate::predict(s, description, &loading);
+  answer.assessment = surrogate::assess(s, description, answer.prediction);
+}
+
+/// What else could be done about a material that is not inside.
+std::string advice(const Options& o, const surrogate::Answer& answer) {
+  std::string text =
+      fmt::format("`platen derive {} -o DIR` presses it", o.material.empty() ? "CARD.toml" : o.material);
+  if (answer.surrogate.guide && !o.guided)
+    text +=
+        fmt::format(", --guided on {} elements before it predicts (such curves are {:.2g} % off)",
+                    answer.surrogate.guide->elements, 100 * answer.surrogate.guide->left_out.force.median);
+  return text;
+}
+
+void predict(const Options& o) {
+  const std::vector<std::string> laws = {"pressed", "edmans-sinka"};
+  if (std::ranges::find(laws, o.law) == laws.end())
+    throw core::InvalidInput(
+        fmt::format("--law {}: there is no such law to predict{}", o.law, core::suggestion(o.law, laws)));
+  const auto material = material_of(o);
+  const auto description = surrogate::describe(material.model);
+  auto answer = surrogate::ask_catalogue(description);
+  if (o.guided) guide(answer, material, description);
+  const auto& s = answer.surrogate;
+  const bool outside = answer.assessment.verdict == surrogate::Verdict::outside;
+  const std::string why = fmt::format("{} is outside of what was pressed (pool {}): {}", material.name,
+                                      s.pool, fmt::join(answer.assessment.reasons, "; "));
+  if (outside && !o.extrapolate)
+    throw core::InvalidInput(fmt::format("{}; {}, --extrapolate guesses", why, advice(o, answer)));
+  const auto card = o.law == "pressed" ? surrogate::pressed_card(answer, material)
+                                       : surrogate::edmans_sinka_card(answer, material, o.variant);
+  if (s.engine != core::engine)
+    core::say(fmt::format("warning: pool {} was pressed by engine {}, this is engine {}\n", s.pool, s.engine,
+                          core::engine));
+  if (outside) core::say(fmt::format("warning: extrapolated, {}\n", why));
+  core::write_file(o.output, text_of(card));
+  const auto near = nearest(s, description, 3);
+  if (answer.assessment.verdict == surrogate::Verdict::near_the_edge)
+    core::say(
+        fmt::format("note: {} is near the edge of what is known; {}\n", material.name, advice(o, answer)));
+  fmt::print("{}", o.json ? json_of(material, answer, near) : words(o, material, answer, near));
+}
+
+} // namespace
+
+void add_predict(Command program) {
+  auto command =
+      program.add_subcommand("predict", "a law at once, from materials that were pressed, with its error");
+  auto o = std::make_shared<Options>();
+  command.add_option("MATERIAL", o->material, "material card, or a name in the catalogue");
+  command.add_option("--E_Pa", o->E_Pa, "instead of a material, a perfectly plastic metal: Young's modulus")
+      .type_name("NUMBER");
+  command.add_option("--nu", o->nu, "its Poisson's ratio").type_name("NUMBER");
+  command.add_option("--sigma_y_Pa", o->sigma_y_Pa, "its yield stress").type_name("NUMBER");
+  command.add_option("-o", o->output, "the law card").type_name("LAW.toml").capture_default_str();
+  command.add_option("--law", o->law, "pressed: the curve itself; edmans-sinka: fitted to the curve")
+      .type_name("NAME")
+      .capture_default_str();
+  command.add_option("--variant", o->variant, "form of edmans-sinka").type_name("V").capture_default_str();
+  command.add_flag("--guided", o->guided,
+                   "press it on few elements first, half a second: surer where a pool has such presses");
+  command.add_flag("--extrapolate", o->extrapolate, "outside of what was pressed: guess, with a warning");
+  command.add_flag("--json", o->json, "for a machine to read");
+  command.footer("Example: platen predict mcc-ph-200 -o law.toml\n"
+                 "         platen predict --E_Pa 2e9 --nu 0.3 --sigma_y_Pa 2e7 -o law.toml");
+  command.callback([o] { predict(*o); });
+}
+
+} // namespace platen::app

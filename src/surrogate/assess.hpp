@@ -1,0 +1,46 @@
+#pragma once
+// Whether a surrogate may be asked about a material.
+
+#include "surrogate/surrogate.hpp"
+
+#include <string>
+#include <vector>
+
+namespace platen::surrogate {
+
+enum class Verdict { inside, near_the_edge, outside };
+std::string_view name_of(Verdict);
+
+struct Assessment {
+  Verdict verdict = Verdict::inside;
+  std::vector<std::string> reasons; ///< why it is not inside
+  std::size_t knots = 0;            ///< how many the law may have
+};
+
+/// Outside: a number beyond those of the pool, or other than the one that all of them have; a curve that
+/// locks. Inside: a curve expected to be less than 3 % off. Near the edge: others, up to the knot where it is
+/// expected to be a tenth off, unless that is below delta/R0 = 0.1: then outside; and metals of another
+/// Poisson's ratio, which count by E/(1 - nu^2).
+Assessment assess(const Surrogate&, const Description&, const Prediction&);
+
+/// The runs of the pool that weigh most: nearest first, distances in the lengths of the first component of
+/// the force.
+struct Near {
+  std::size_t index; ///< in Surrogate::runs
+  double distance;
+};
+std::vector<Near> nearest(const Surrogate&, const Description&, std::size_t count);
+/// "powders-17: rho_r0 = 0.5, …", with what varies.
+std::string words(const Surrogate&, const Near&);
+
+struct Answer {
+  Surrogate surrogate;
+  Prediction prediction;
+  Assessment assessment;
+};
+
+/// The surrogates of the catalogues, and of these the one that knows the material best. InvalidInput where
+/// there is none of its model.
+Answer ask_catalogue(const Description&);
+
+} // namespace platen::surrogate

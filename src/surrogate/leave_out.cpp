@@ -1,0 +1,150 @@
+#include "surrogate/said.hpp"
+#include "surrogate/tables.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace platen::surrogate {
+namespace {
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const double place = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const auto above = std::min(below + 1, values.size() - 1);
+  return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
+}
+Quantiles quantiles(const std::vector<double>& values) {
+  return {quantile(values, 0.5), quantile(values, 0.95), quantile(values, 1)};
+}
+
+/// A layer with the numbers that it was made of, and where each of the materials asked for stands in them.
+struct Term {
+  const Layer& layer;
+  Tables tables;
+  std::vector<std::size_t> rows;
+};
+
+/// Adds what the terms say of each material when it is left out of them; of unloadings, or of the loading.
+void add_left_out(std::vector<Said>& said, const std::vector<Term>& terms, bool unloadings) {
+  for (const auto& [layer, tables, rows] : terms) {
+    if (unloadings) {
+      const Crossed u = cross(layer.unloading, tables.unloading, layer.inputs);
+      for (std::size_t i = 0; i < said.size(); ++i) add(said[i].unloading, u.mean[rows[i]]);
+      continue;
+    }
+    const Crossed F = cross(layer.force, tables.force, layer.inputs),
+                  a = cross(layer.radius, tables.radius, layer.inputs);
+    for (std::size_t i = 0; i < said.size(); ++i) {
+      add(said[i].F, F.mean[rows[i]]);
+      add(said[i].F_variance, F.variance[rows[i]]);
+      add(said[i].a, a.mean[rows[i]]);
+    }
+  }
+}
+
+std::vector<std::size_t> numbered(std::size_t count) {
+  std::vector<std::size_t> rows(count);
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  return rows;
+}
+
+/// The terms of a surrogate without a guide; `fine`: the materials, numbers in the fine pool.
+std::vector<Term> terms_of(const Surrogate& s, const Pools& pools, std::vector<std::size_t>& fine) {
+  if (!pools.coarse) {
+    fine = numbered(pools.fine.runs.size());
+    return {{s.layers[0], tables_of(pools.fine), fine}};
+  }
+  const auto both = in_both(pools.fine, *pools.coarse);
+  std::vector<std::size_t> coarse;
+  for (const auto& one : both) fine.push_back(one.fine), coarse.push_back(one.coarse);
+  return {
+      {s.layers[0], tables_of(*pools.coarse), coarse},
+      {s.layers[1], change(tables_of(pools.fine), tables_of(*pools.coarse), both), numbered(both.size())}};
+}
+
+std::vector<Errors> errors_of(const Pools& pools, const std::vector<std::size_t>& fine,
+                              const std::vector<Said>& said) {
+  std::vector<Errors> errors;
+  for (std::size_t i = 0; i < fine.size(); ++i)
+    errors.push_back(errors_of(pools.fine, pools.fine.runs[fine[i]], said[i]));
+  return errors;
+}
+
+} // namespace
+
+std::vector<Errors> leave_out(const Surrogate& s, const Pools& pools) {
+  std::vector<std::size_t> fine;
+  const auto terms = terms_of(s, pools, fine);
+  std::vector<Said> said(fine.size());
+  add_left_out(said, terms, false);
+  add_left_out(said, terms, true);
+  return errors_of(pools, fine, said);
+}
+
+std::vector<Errors> leave_out_guided(const Surrogate& s, const Pools& pools) {
+  std::vector<std::size_t> fine;
+  auto terms = terms_of(s, pools, fine);
+  const auto both = in_both(*pools.coarse, *pools.guide);
+  Term changes{s.guide->change, change(tables_of(*pools.coarse), tables_of(*pools.guide), both), {}};
+  std::vector<Term> unguided = terms;
+  std::vector<std::size_t> kept_fine;
+  std::vector<std::vector<std::size_t>> kept(2);
+  std::vector<Said> said;
+  for (std::size_t i = 0; i < fine.size(); ++i) {
+    const auto found =
+        std::find_if(both.begin(), both.end(), [&](const Both& b) { return b.fine == terms[0].rows[i]; });
+    if (found == both.end()) continue;
+    changes.rows.push_back(static_cast<std::size_t>(found - both.begin()));
+    kept_fine.push_back(fine[i]);
+    for (std::size_t l = 0; l < 2; ++l) kept[l].push_back(terms[l].rows[i]);
+    const Pressed& guide = pools.guide->runs[found->coarse];
+    said.push_back({logarithms(guide.F_bar), {}, logarithms(guide.a_bar), {}});
+  }
+  for (std::size_t l = 0; l < 2; ++l) unguided[l].rows = kept[l];
+  add_left_out(said, unguided, true);
+  add_left_out(said, {changes, unguided[1]}, false);
+  return errors_of(pools, kept_fine, said);
+}
+
+std::vector<Errors> errors_beside(const Surrogate& s, const PoolData& data, bool guided) {
+  std::vector<Errors> errors;
+  for (const auto& run : data.runs) {
+    std::optional<Loading> guide;
+    if (guided) guide = press_guide(s, run.material);
+    errors.push_back(errors_of(data, run, said_of(s, run.description, guide ? &*guide : nullptr)));
+  }
+  return errors;
+}
+
+double band_of(const std::vector<Errors>& errors) {
+  std::vector<double> standardised;
+  for (const auto& one : errors)
+    if (!one.locks) standardised.insert(standardised.end(), one.standardised.begin(), one.standardised.end());
+  return quantile(standardised, 0.9);
+}
+
+LeaveOneOut summary_of(const std::vector<Errors>& errors, double band) {
+  std::vector<double> force, radius, work, residual;
+  LeaveOneOut summary;
+  double inside = 0, points = 0;
+  for (const auto& one : errors) {
+    ++summary.materials;
+    summary.locked += one.locks;
+    if (one.locks) continue;
+    force.push_back(one.force);
+    radius.push_back(one.radius);
+    work.insert(work.end(), one.work.begin(), one.work.end());
+    residual.insert(residual.end(), one.residual.begin(), one.residual.end());
+    for (const double z : one.standardised) inside += z <= band, points += 1;
+  }
+  summary.force = quantiles(force);
+  summary.radius = quantiles(radius);
+  summary.work = quantiles(work);
+  summary.residual = quantiles(residual);
+  summary.coverage = points > 0 ? inside / points : 0;
+  return summary;
+}
+
+} // namespace platen::surrogate

@@ -1,0 +1,54 @@
+#pragma once
+// What a data pool says of each of its materials, as the numbers that are interpolated.
+
+#include "surrogate/description.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace platen::surrogate {
+
+/// A branch as it was pressed: ascending in delta_bar.
+struct PressedBranch {
+  std::vector<double> delta_bar, F_bar;
+};
+
+/// A material that was pressed to the end.
+struct Pressed {
+  std::string pool;
+  int run = 0; ///< number in its runs.csv
+  material::Material material;
+  Description description;
+  std::vector<double> F_bar, a_bar;          ///< at the knots
+  std::vector<double> alpha, beta, residual; ///< of each unloading; residual: overlap at separation
+  std::vector<PressedBranch> branches;       ///< what was fitted
+};
+
+struct PoolData {
+  std::string name; ///< of the folder
+  int engine = 0;
+  int elements = 0;          ///< asked for
+  double step_max = 0;       ///< of delta/R0
+  std::size_t asked = 0;     ///< runs of its study
+  std::size_t too_steep = 0; ///< done, with a branch too steep for alpha and beta to be fitted
+  std::size_t locked = 0;    ///< done, and left aside because they lock
+  std::vector<double> knots, unload_delta_bar; ///< delta/R0
+  std::vector<Pressed> runs;                   ///< those that are done
+};
+
+/// Whether the force of a curve grows more than so many times from delta/R0 = 0.3 to its end: the contact has
+/// compacted to solid there, and how much depends on the mesh (docs/explanation/predict.md).
+bool grows(double times, const std::vector<double>& knots, const std::vector<double>& F_bar);
+/// A material of which that is said is outside of any pool.
+constexpr double locked_growth = 5;
+
+/// usable: without those that lock by far (eightfold), which would spoil the others; what is between tells
+/// which lock.
+enum class Take { usable, all };
+
+/// InvalidInput where the pool has no curve, was pressed by several engines, or differs from run to run in
+/// where it loads to and unloads from.
+PoolData read_pool_data(const std::filesystem::path& folder, Take = Take::usable);
+
+} // namespace platen::surrogate

@@ -1,0 +1,53 @@
+#pragma once
+// Kriging: a function of a few numbers as a Gaussian process through its values (Rasmussen & Williams 2006,
+// chapter 2).
+//
+//   k(x, y) = v [ (1 + r + r^2/3) exp(-r) + b (1 + x.y) + n (x is y) ],   r^2 = 5 sum_i (w_i (x_i - y_i))^2
+//
+// Matern 5/2 with a length 1/w_i for each coordinate, on a plane whose slopes are part of it, and a nugget n.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace platen::surrogate {
+
+/// Rows of coordinates, one after the other.
+struct Inputs {
+  std::size_t dimensions = 0;
+  std::vector<double> values;
+
+  std::size_t size() const { return dimensions ? values.size() / dimensions : 0; }
+  std::span<const double> row(std::size_t i) const { return {values.data() + i * dimensions, dimensions}; }
+};
+
+struct Process {
+  std::vector<double> w;       ///< inverse lengths
+  double variance = 1;         ///< v
+  double plane = 0;            ///< b
+  double nugget = 0;           ///< n
+  std::vector<double> weights; ///< of the inputs, K^-1 y
+
+  double mean(const Inputs&, std::span<const double> at) const;
+};
+
+/// What the process says of each value when it is left out, the rest and the lengths as they are (closed
+/// form).
+struct LeftOut {
+  std::vector<double> mean, variance; ///< the variance with the nugget
+};
+
+LeftOut left_out(const Process&, const Inputs&, std::span<const double> values);
+
+/// Sets variance and weights so that the process of these lengths, plane and nugget goes through the values.
+void pass_through(Process&, const Inputs&, std::span<const double> values);
+
+/// Lengths, plane and nugget of the greatest posterior density, of many values that of the first ones;
+/// coordinates are expected in about [0, 1], values about zero. Deterministic.
+Process fit_process(const Inputs&, std::span<const double> values);
+
+/// Of the function at a place, without the nugget. Of many inputs the nearest alone are asked, so it is a
+/// little too large.
+double variance_at(const Process&, const Inputs&, std::span<const double> at);
+
+} // namespace platen::surrogate

@@ -1,0 +1,147 @@
+#include "surrogate/surrogate.hpp"
+
+#include "core/error.hpp"
+#include "press/press.hpp"
+#include "study/grid.hpp"
+#include "surrogate/said.hpp"
+#include "surrogate/tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace platen::surrogate {
+namespace {
+
+void add_ranges(Surrogate& s, const PoolData& data) {
+  const auto& first = data.runs.front().description;
+  for (std::size_t k = 0; k < first.numbers.size(); ++k) {
+    Range range{first.numbers[k].key, INFINITY, -INFINITY};
+    for (const auto& run : data.runs) {
+      range.low = std::min(range.low, run.description.numbers[k].value);
+      range.high = std::max(range.high, run.description.numbers[k].value);
+    }
+    s.ranges.push_back(range);
+  }
+  for (std::size_t k = 0; k < first.coordinates.size(); ++k) {
+    double low = INFINITY, high = -INFINITY;
+    for (const auto& run : data.runs) {
+      low = std::min(low, run.description.coordinates[k]);
+      high = std::max(high, run.description.coordinates[k]);
+    }
+    s.low.push_back(low);
+    s.high.push_back(high);
+  }
+}
+
+Layer fit_layer(const Surrogate& s, const Tables& tables, const std::vector<const Pressed*>& runs) {
+  Layer layer;
+  for (const auto* run : runs) {
+    const auto input = input_of(s, run->description.coordinates);
+    layer.inputs.dimensions = input.size();
+    layer.inputs.values.insert(layer.inputs.values.end(), input.begin(), input.end());
+  }
+  for (const auto& [table, components] : {std::pair{&tables.force, &layer.force},
+                                          {&tables.radius, &layer.radius},
+                                          {&tables.unloading, &layer.unloading}}) {
+    Reduced reduced = reduce(*table);
+    *components = std::move(reduced.components);
+    for (const auto& scores : reduced.scores)
+      components->processes.push_back(fit_process(layer.inputs, scores));
+  }
+  return layer;
+}
+
+std::vector<const Pressed*> all(const PoolData& data) {
+  std::vector<const Pressed*> runs;
+  for (const auto& run : data.runs) runs.push_back(&run);
+  return runs;
+}
+
+Layer fit_change(const Surrogate& s, const PoolData& fine, const PoolData& coarse) {
+  const auto both = in_both(fine, coarse);
+  std::vector<const Pressed*> runs;
+  for (const auto& one : both) runs.push_back(&fine.runs[one.fine]);
+  return fit_layer(s, change(tables_of(fine), tables_of(coarse), both), runs);
+}
+
+} // namespace
+
+std::vector<double> input_of(const Surrogate& s, const std::vector<double>& coordinates) {
+  std::vector<double> input;
+  for (std::size_t k = 0; k < coordinates.size(); ++k)
+    if (s.high[k] - s.low[k] > 1e-9) input.push_back((coordinates[k] - s.low[k]) / (s.high[k] - s.low[k]));
+  return input;
+}
+
+Surrogate fit_surrogate(const Pools& pools) {
+  const auto& [fine, coarse, guide] = pools;
+  Surrogate s;
+  const PoolData& first = coarse ? *coarse : fine;
+  s.pool = fine.name;
+  s.model = fine.runs.front().description.model;
+  s.engine = fine.engine;
+  s.asked = static_cast<int>(fine.asked);
+  s.knots = fine.knots;
+  s.unload_delta_bar = fine.unload_delta_bar;
+  add_ranges(s, first);
+  for (const auto& run : first.runs) {
+    s.runs.push_back(fine.name + "-" + std::to_string(run.run));
+    s.numbers.emplace_back();
+    for (const auto& number : run.description.numbers) s.numbers.back().push_back(number.value);
+  }
+  s.layers.push_back(fit_layer(s, tables_of(first), all(first)));
+  if (coarse) s.layers.push_back(fit_change(s, fine, *coarse));
+  const auto errors = leave_out(s, pools);
+  s.fine = static_cast<int>(errors.size());
+  s.band = band_of(errors);
+  s.left_out = summary_of(errors, s.band);
+  if (!guide) return s;
+  if (!coarse)
+    throw core::InvalidInput(fmt::format("the guide {} wants coarse presses as well", guide->name));
+  s.guide = Guide{guide->elements, guide->step_max, fit_change(s, *coarse, *guide), 0, {}};
+  const auto guided = leave_out_guided(s, pools);
+  s.guide->band = band_of(guided);
+  s.guide->left_out = summary_of(guided, s.guide->band);
+  return s;
+}
+
+Loading press_guide(const Surrogate& s, const material::Material& material) {
+  press::Simple simple;
+  simple.delta_bar_max = s.knots.back();
+  simple.elements = s.guide->elements;
+  simple.step_max = s.guide->step_max;
+  const auto result = press::press({material, 1e-3, simple});
+  Loading loading;
+  for (const auto& point : study::on_grid(result.curve, 0.01)) { // as the pools have it
+    if (loading.F_bar.size() == s.knots.size()) break;
+    if (std::abs(point.delta_bar - s.knots[loading.F_bar.size()]) > 1e-9) continue;
+    loading.F_bar.push_back(point.z.F_bar);
+    loading.a_bar.push_back(point.z.a_bar);
+  }
+  if (loading.F_bar.size() < s.knots.size())
+    throw core::ConvergenceError(
+        fmt::format("{}: the press that guides the prediction did not get to delta/R0 = {:.4g}; "
+                    "`platen derive` presses on more elements",
+                    material.name, s.knots.back()),
+        0, 0, 0);
+  return loading;
+}
+
+Prediction predict(const Surrogate& s, const Description& d, const Loading* guide) {
+  const Said said = said_of(s, d, guide);
+  const double band = guide ? s.guide->band : s.band;
+  const std::size_t branches = s.unload_delta_bar.size();
+  Prediction p{exponentials(said.F, 0, said.F.size()),
+               exponentials(said.a, 0, said.a.size()),
+               exponentials(said.unloading, 0, branches),
+               exponentials(said.unloading, branches, branches),
+               {},
+               {}};
+  for (const double variance : said.F_variance) p.band.push_back(band * std::sqrt(variance));
+  p.expected = expected_errors(s.knots, p.F_bar, said.F_variance);
+  return p;
+}
+
+} // namespace platen::surrogate

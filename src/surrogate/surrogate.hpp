@@ -1,0 +1,133 @@
+#pragma once
+// A surrogate: what a data pool says of materials between those that were pressed. Logarithms of force and
+// contact radius at the knots, and of alpha and beta of the unloadings, are reduced to a few principal
+// components, and each of these is a Gaussian process over the coordinates of the material.
+//
+// Where presses are dear, most are made on a coarse mesh (Kennedy & O'Hagan 2000): the first layer is of
+// these, and a second one of what the logarithms change from coarse to fine, in the materials that were
+// pressed on both. It is small and smooth, and few presses tell it.
+//
+// Where even that is not certain enough, a material may be pressed on very few elements first, its guide;
+// then the first layer is of what the logarithms change from there.
+
+#include "surrogate/components.hpp"
+#include "surrogate/description.hpp"
+#include "surrogate/pool_data.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace platen::surrogate {
+
+/// One sum of components for each quantity.
+struct Layer {
+  Inputs inputs; ///< in [0, 1]
+  Components force, radius, unloading;
+};
+
+/// Force and contact radius at the knots.
+struct Loading {
+  std::vector<double> F_bar, a_bar;
+};
+
+/// Relative errors of the pool's materials, each predicted without itself: of five in a hundred larger, and
+/// so on.
+struct Quantiles {
+  double median = 0, p95 = 0, worst = 0;
+};
+struct LeaveOneOut {
+  int materials = 0, locked = 0; ///< of all, those that are said to lock are not counted in what follows
+  Quantiles force;               ///< relative L2 of F over the loading
+  Quantiles radius;              ///< likewise of a
+  Quantiles work;                ///< that an unloading gives back, of all unloadings
+  Quantiles residual;            ///< overlap at separation, over that where it turns
+  double coverage = 0; ///< of the 90 % band: share of all points of the left-out curves that lie in it
+};
+
+/// A press on few elements that comes first.
+struct Guide {
+  int elements = 0;
+  double step_max = 0;
+  Layer change; ///< from it to the coarse presses; nothing of unloadings
+  double band = 1.645;
+  LeaveOneOut left_out;
+};
+
+/// A number that the pool's materials have: a range, or one value.
+struct Range {
+  std::string key;
+  double low = 0, high = 0;
+};
+
+struct Surrogate {
+  std::string pool, model;
+  int engine = 0;
+  int asked = 0; ///< runs of the study, finished or not
+  int fine = 0;  ///< materials pressed on the mesh that counts
+  std::vector<double> knots, unload_delta_bar;
+  std::vector<Range> ranges;
+  std::vector<double> low, high; ///< of each coordinate; those that do not vary are none of the inputs'
+  std::vector<std::string> runs; ///< of the first layer, "powders-17": pool, and number in its runs.csv
+  std::vector<std::vector<double>> numbers; ///< of each run, in the order of the ranges
+  std::vector<Layer> layers;
+  /// Half the width of the 90 % band of ln F over the standard deviation that the processes give: as the
+  /// left-out materials want it.
+  double band = 1.645;
+  LeaveOneOut left_out;
+  std::optional<Guide> guide;
+};
+
+/// The pools of a surrogate: the same study on fewer and fewer elements; null where there is none. A guide
+/// wants coarse presses.
+struct Pools {
+  const PoolData& fine;
+  const PoolData* coarse = nullptr;
+  const PoolData* guide = nullptr;
+};
+
+/// Deterministic. InvalidInput where the pools do not belong together.
+Surrogate fit_surrogate(const Pools&);
+
+/// What a surrogate says of a material that was pressed, beside the truth.
+struct Errors {
+  double force = 0, radius = 0;       ///< relative L2 over the loading
+  std::vector<double> work, residual; ///< of each unloading
+  std::vector<double> standardised;   ///< |ln F - ln F| over the standard deviation, at each knot
+  double expected = 0;
+  bool locks = false; ///< by what is said
+};
+/// Of each of the fine materials, left out of all layers in turn: components, lengths and so on as they are
+/// (closed form). The pools must be the surrogate's.
+std::vector<Errors> leave_out(const Surrogate&, const Pools&);
+/// The same, each with its guide.
+std::vector<Errors> leave_out_guided(const Surrogate&, const Pools&);
+/// Of each material of a pool that the surrogate was not made of, unloaded from the same overlaps.
+std::vector<Errors> errors_beside(const Surrogate&, const PoolData&, bool guided = false);
+/// The number of standard deviations that nine tenths of the errors at knots lie within.
+double band_of(const std::vector<Errors>&);
+LeaveOneOut summary_of(const std::vector<Errors>&, double band);
+
+struct Prediction {
+  std::vector<double> F_bar, a_bar; ///< at the knots
+  std::vector<double> alpha, beta;  ///< of the unloadings
+  std::vector<double> band;         ///< at each knot, half the 90 % band of ln F
+  /// Relative L2 of F over the loading up to each knot, were it one standard deviation off.
+  std::vector<double> expected;
+};
+
+/// Of a material of the surrogate's model; whether it may be believed is not asked here.
+Prediction predict(const Surrogate&, const Description&, const Loading* guide = nullptr);
+/// The guide of a surrogate that wants one: a press, a part of a second. ConvergenceError where it does not
+/// get to the end.
+Loading press_guide(const Surrogate&, const material::Material&);
+/// The input that stands for a material: coordinates over their ranges.
+std::vector<double> input_of(const Surrogate&, const std::vector<double>& coordinates);
+
+/// The file: text, one list a line.
+std::string text_of(const Surrogate&);
+/// InvalidInput for a file that is none, or of another version.
+Surrogate read_surrogate(const std::filesystem::path&);
+
+} // namespace platen::surrogate

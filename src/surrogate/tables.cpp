@@ -1,0 +1,67 @@
+#include "surrogate/tables.hpp"
+
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <initializer_list>
+
+namespace platen::surrogate {
+namespace {
+
+/// Of each run, one list after the other.
+Table logarithms(const PoolData& data, std::initializer_list<std::vector<double> Pressed::*> lists) {
+  Table table;
+  for (const auto& run : data.runs) {
+    table.emplace_back();
+    for (const auto list : lists)
+      for (const double value : run.*list) table.back().push_back(std::log(value));
+  }
+  return table;
+}
+
+} // namespace
+
+Tables tables_of(const PoolData& data) {
+  return {logarithms(data, {&Pressed::F_bar}), logarithms(data, {&Pressed::a_bar}),
+          logarithms(data, {&Pressed::alpha, &Pressed::beta})};
+}
+
+std::vector<Both> in_both(const PoolData& fine, const PoolData& coarse) {
+  if (fine.engine != coarse.engine || fine.knots != coarse.knots ||
+      (!coarse.unload_delta_bar.empty() && fine.unload_delta_bar != coarse.unload_delta_bar) ||
+      fine.runs.front().description.model != coarse.runs.front().description.model)
+    throw core::InvalidInput(
+        fmt::format("pools {} and {} differ in model, engine, or the overlaps at which their curves "
+                    "are given: one cannot be the coarse presses of the other",
+                    fine.name, coarse.name));
+  const auto same = [](const Pressed& one, const Pressed& other) {
+    for (std::size_t k = 0; k < one.description.numbers.size(); ++k)
+      if (one.description.numbers[k].value != other.description.numbers[k].value) return false;
+    return true;
+  };
+  std::vector<Both> both;
+  for (std::size_t i = 0; i < fine.runs.size(); ++i)
+    for (std::size_t j = 0; j < coarse.runs.size(); ++j)
+      if (same(fine.runs[i], coarse.runs[j])) both.push_back({i, j});
+  constexpr std::size_t fewest = 5;
+  if (both.size() < fewest)
+    throw core::InvalidInput(
+        fmt::format("{} materials were pressed in both pools, {} and {}; {} are wanted at least", both.size(),
+                    fine.name, coarse.name, fewest));
+  return both;
+}
+
+Tables change(const Tables& fine, const Tables& coarse, const std::vector<Both>& both) {
+  Tables changes;
+  for (const auto table : {&Tables::force, &Tables::radius, &Tables::unloading})
+    for (const auto [i, j] : both) {
+      auto& row = (changes.*table).emplace_back((fine.*table)[i]);
+      row.resize((coarse.*table)[j].size()); // a guide has no unloadings
+      for (std::size_t k = 0; k < row.size(); ++k) row[k] -= (coarse.*table)[j][k];
+    }
+  return changes;
+}
+
+} // namespace platen::surrogate

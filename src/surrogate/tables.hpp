@@ -1,0 +1,27 @@
+#pragma once
+// The runs of pools as tables of logarithms, and what they change from pool to pool.
+
+#include "surrogate/components.hpp"
+#include "surrogate/pool_data.hpp"
+
+#include <vector>
+
+namespace platen::surrogate {
+
+/// A row a run: ln F_bar, ln a_bar at the knots; ln alpha, ln beta of the unloadings.
+struct Tables {
+  Table force, radius, unloading;
+};
+Tables tables_of(const PoolData& data);
+
+/// A fine run and the coarse one of the same material.
+struct Both {
+  std::size_t fine, coarse;
+};
+/// InvalidInput where the pools do not belong together, or have too few in common.
+std::vector<Both> in_both(const PoolData& fine, const PoolData& coarse);
+
+/// What the logarithms change from coarse to fine.
+Tables change(const Tables& fine, const Tables& coarse, const std::vector<Both>& both);
+
+} // namespace platen::surrogate

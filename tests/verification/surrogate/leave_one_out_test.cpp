@@ -1,0 +1,101 @@
+// What docs/explanation/predict.md claims of the surrogates of the catalogue, asked of its pools again.
+
+#include "surrogate/assess.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace platen::surrogate {
+namespace {
+
+const std::filesystem::path pools = std::filesystem::path(PLATEN_SOURCE_DIR) / "catalogue/pools";
+
+/// The errors of the pool's materials, each left out, with the lengths that the file has.
+LeaveOneOut figures(const char* pool) {
+  const auto s = read_surrogate(pools / pool / "surrogate.txt");
+  return summary_of(leave_out(s, {read_pool_data(pools / pool)}), s.band);
+}
+
+void expect_same(const LeaveOneOut& again, const LeaveOneOut& file) {
+  EXPECT_NEAR(again.force.median, file.force.median, 1e-6);
+  EXPECT_NEAR(again.force.worst, file.force.worst, 1e-5);
+  EXPECT_NEAR(again.work.p95, file.work.p95, 1e-4);
+}
+
+TEST(LeaveOneOut, OfTheGranulesOfEdmansAndSinka) {
+  const auto e = figures("edmans-sinka");
+  EXPECT_LT(e.force.median, 0.004);
+  EXPECT_LT(e.force.p95, 0.012);
+  EXPECT_LT(e.force.worst, 0.02);
+  EXPECT_LT(e.radius.median, 0.004);
+  EXPECT_LT(e.radius.p95, 0.006);
+  EXPECT_LT(e.work.median, 0.006);
+  EXPECT_LT(e.work.p95, 0.025);
+  EXPECT_LT(e.residual.p95, 0.01);
+  expect_same(e, read_surrogate(pools / "edmans-sinka/surrogate.txt").left_out);
+}
+
+TEST(LeaveOneOut, OfPerfectlyPlasticMetals) {
+  const auto e = figures("von-mises");
+  EXPECT_LT(e.force.median, 0.0015);
+  EXPECT_LT(e.force.worst, 0.008);
+  EXPECT_LT(e.radius.worst, 0.005);
+  EXPECT_LT(e.work.p95, 0.018);
+  expect_same(e, read_surrogate(pools / "von-mises/surrogate.txt").left_out);
+}
+
+TEST(LeaveOneOut, OfElasticSpheres) {
+  const auto e = figures("elastic");
+  EXPECT_LT(e.force.worst, 0.005);
+  EXPECT_LT(e.radius.worst, 0.005);
+}
+
+TEST(LeaveOneOut, OfPowders) {
+  const auto s = read_surrogate(pools / "powders/surrogate.txt");
+  const auto fine = read_pool_data(pools / "powders"), coarse = read_pool_data(pools / "powders-coarse"),
+             guide = read_pool_data(pools / "powders-guide");
+  const auto quick = summary_of(leave_out(s, {fine, &coarse, &guide}), s.band);
+  EXPECT_LT(quick.force.median, 0.05);
+  EXPECT_LT(quick.radius.median, 0.025);
+  expect_same(quick, s.left_out);
+  const auto guided = summary_of(leave_out_guided(s, {fine, &coarse, &guide}), s.guide->band);
+  EXPECT_LT(guided.force.median, 0.02);
+  EXPECT_LT(guided.force.p95, 0.06);
+  EXPECT_LT(guided.radius.p95, 0.05);
+  expect_same(guided, s.guide->left_out);
+}
+
+// The powders of Edmans & Sinka, Table 4, and their base case, none of them in the pool.
+TEST(Surrogate, SaysPublishedPowders) {
+  const auto s = read_surrogate(pools / "powders/surrogate.txt");
+  const auto published = read_pool_data(pools / "published-powders", Take::all);
+  const auto quick = errors_beside(s, published), guided = errors_beside(s, published, true);
+  ASSERT_EQ(guided.size(), 8U);
+  for (std::size_t i = 0; i < guided.size(); ++i) {
+    const auto& name = published.runs[i].material.name;
+    EXPECT_EQ(guided[i].locks, name == "Dical Emcompress") << name;
+    if (guided[i].locks) continue;
+    EXPECT_LT(guided[i].force, 0.04) << name;
+    EXPECT_LT(guided[i].radius, 0.055) << name;
+    EXPECT_LT(quick[i].force, 0.12) << name;
+  }
+  const auto summary = summary_of(guided, s.guide->band);
+  EXPECT_LT(summary.force.median, 0.02);
+  EXPECT_GT(summary.coverage, 0.8);
+}
+
+// Metals of E/sigma_y = 30 and 300 at nu = 0, 0.2, 0.4 from those at 0.3.
+TEST(Surrogate, SaysMetalsOfOtherPoissonsRatios) {
+  const auto s = read_surrogate(pools / "von-mises/surrogate.txt");
+  const auto other = read_pool_data(pools / "von-mises-nu");
+  const auto errors = errors_beside(s, other);
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const double nu = other.runs[i].description.numbers[1].value;
+    EXPECT_LT(errors[i].force, nu < 0.1 ? 0.025 : 0.007) << nu;
+    EXPECT_LT(errors[i].radius, 0.012) << nu;
+  }
+}
+
+} // namespace
+} // namespace platen::surrogate
