@@ -6,13 +6,14 @@ cd "$(dirname "$0")"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 draw() { # NAME END_OVERLAP PARAMETERS...: up to the end, down, and up again to a little more
-  name=$1 end=$2
+  law=$1 name=$(basename "$1" .toml) end=$2
+  [ "$name" != card ] || name=pressed
   shift 2
   awk -v e="$end" 'BEGIN { print "overlap_m"; n = 150
     for (i = 1; i <= n; ++i) print 0.9 * e * i / n
     for (i = n; i >= 0; --i) print 0.9 * e * i / n
     for (i = 1; i <= n; ++i) print e * i / n }' > "$work/path.csv"
-  "$platen" eval "$name" "$@" --path "$work/path.csv" -o "$work/$name.csv" 2> "$work/warnings" || cat "$work/warnings"
+  "$platen" eval "$law" "$@" --path "$work/path.csv" -o "$work/$name.csv" 2> "$work/warnings" || cat "$work/warnings"
   gnuplot -e "set terminal svg size 560,360 font 'sans,12'; set output '$name.svg'; set datafile separator ',';
     set xlabel 'overlap of the centres [mm]'; set ylabel 'force [N]'; set grid; unset key;
     plot '$work/$name.csv' every ::1 using (1e3*\$1):2 with lines linewidth 2 title '$name'" # a title, or the file's path would be written into the drawing
@@ -31,3 +32,5 @@ draw jackson-green 4e-5 $metal -p sigma_y_Pa=1e7
 draw mdr 2e-4 $metal -p sigma_y_Pa=1e7
 draw luding 1e-4 -p radius_m=1e-3 -p k_1_N_per_m=1e5 -p k_2_N_per_m=5e5 -p phi_f=0.1
 draw eepa 1e-4 $metal -p lambda_p=0.6
+"$platen" predict base-case -o "$work/card.toml" >/dev/null # a card of the law pressed
+draw "$work/card.toml" 1e-3 -p radius_m=1e-3

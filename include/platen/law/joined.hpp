@@ -9,9 +9,9 @@
 // which is exact for elastic bodies (n = 3/2, q = 3/2: Hertz, any radii and moduli) and for the similarity
 // solution of rigid-plastic ones (n = 1 + 1/2m, q = m + 1/2: kappa_bar = (kappa_1^-m + kappa_2^-m)^(-1/m)),
 // up to perfect plasticity (q infinite: the softer side alone). Where both stiffen as their cells fill (n >
-// 2) it is q = 1, springs in series. The contact is that of the softer body at x. Unloading starts with both
-// elasticities in series at that contact radius, 1/S = sum (a_i/a)/(s S_i). The exponent n is that of the
-// work, F x/W - 1, which is smoother.
+// 2) it is q = 1, springs in series. n, and the contact radius at x, are the softer's; of two nearly as soft,
+// weighted by x_i^4. Unloading starts with both elasticities in series at that contact radius, 1/S = sum
+// (a_i/a)/(s S_i). The exponent n is that of the work, F x/W - 1, which is smoother.
 //
 // It is an assumption near first yield, where the partner's modulus says at which force the softer body
 // yields: up to a fifth too high there for bodies of one strength against rigid ones, a few per cent from
@@ -66,14 +66,18 @@ inline KnotCurve join(const Pair& pair, const JoinedSide& one, const JoinedSide&
       top2 = second.table->top(x2);
       if (x2 > second.x_end) break;
     }
-    const bool first_is_softer = x1 >= x2;
-    const Top& soft = first_is_softer ? top1 : top2;
-    const double most = std::max(x1, x2), ratio = std::min(x1, x2) / most;
-    const double n = std::max(soft.F * most / soft.work() - 1, 1 + 1e-6);
+    // What the softer says counts; where both are as soft, both count.
+    const double soft1 = std::pow(x1, 4), soft2 = std::pow(x2, 4), share = soft2 / (soft1 + soft2);
+    const auto exponent = [](const Top& top, double x) {
+      return std::max(top.F * x / top.work() - 1, 1 + 1e-6);
+    };
+    const double n =
+        exponent(top1, x1) + (second.table ? share * (exponent(top2, x2) - exponent(top1, x1)) : 0);
     const double q = std::clamp(n / (2 * (n - 1)), 1.0, 1e3);
+    const double most = std::max(x1, x2), ratio = std::min(x1, x2) / most;
     const double x = most * std::pow((1 + std::pow(ratio, q)) / s, 1 / q);
-    const TableView& softer = first_is_softer ? *first.table : *second.table;
-    const double a = softer.top(x).a;
+    const double a1 = first.table->top(x).a, a2 = second.table ? second.table->top(x).a : a1;
+    const double a = a1 + share * (a2 - a1);
     const double c1 = top1.a / (a * detail::stiffness_at(top1)),
                  c2 = second.table ? top2.a / (a * detail::stiffness_at(top2)) : 0;
     const double alpha = (c1 * top1.alpha + c2 * top2.alpha) / (c1 + c2);

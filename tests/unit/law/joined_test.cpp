@@ -1,0 +1,103 @@
+// Two bodies joined from what each does against its like (joined.hpp): where that is exact, and that it is
+// sound.
+
+#include "platen/law/catalogue.hpp"
+#include "random_material.hpp"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace platen::law;
+using namespace platen::law::testing;
+
+Law like(const LawChoice& one) { return make_law(one, 1, one, 1); }
+
+/// The same pair from its own formulas, and joined.
+void expect_same(const LawChoice& a, const LawChoice& b, double R2, double x_valid) {
+  const Law exact = make_law(a, 1e-3, b, R2), one = like(a), two = like(b);
+  const Law joined =
+      tabulate(join(exact.pair, {one.table.get(), 0.5, x_valid}, {two.table.get(), 0.5, x_valid}));
+  for (double x = 1e-4; x < x_valid; x *= 1.07) {
+    const double gamma = x / exact.scale.x_per_gamma;
+    const Response want = evaluate(exact, State{}, gamma), got = evaluate(joined, State{}, gamma);
+    EXPECT_NEAR(got.force, want.force, 1e-4 * want.force) << x << ' ' << R2;
+    EXPECT_NEAR(got.contact_radius, want.contact_radius, 1e-4 * want.contact_radius) << x << ' ' << R2;
+  }
+}
+
+TEST(Joined, ElasticBodiesOfAnyRadiiAndModuliAreHertzs) {
+  const LawChoice soft{"hertz", "", parameter_texts("E_Pa=1e9 nu=0.3")},
+      hard{"hertz", "", parameter_texts("E_Pa=5e10 nu=0.2")};
+  for (double R2 : {1e-3, 3e-3, 0.2e-3, infinity}) {
+    expect_same(soft, hard, R2, 0.01);
+    expect_same(hard, soft, R2, 0.01);
+    expect_same(soft, soft, R2, 0.01);
+  }
+}
+
+TEST(Joined, HardeningBodiesAreThoseOfTheSimilaritySolution) {
+  for (const char* inverse_m : {"0.1", "0.3", "0.7"}) {
+    const std::string hardening = std::string(" inverse_m=") + inverse_m;
+    const LawChoice soft{"similarity", "", parameter_texts("E_Pa=1e11 nu=0.3 kappa_Pa=1e7" + hardening)},
+        hard{"similarity", "", parameter_texts("E_Pa=1e11 nu=0.3 kappa_Pa=3e7" + hardening)};
+    for (double R2 : {1e-3, 3e-3, 0.2e-3}) expect_same(soft, hard, R2, 0.03);
+  }
+}
+
+TEST(Joined, OfEqualBodiesIsTheirCurve) {
+  Random random;
+  const LawChoice granule = random_material(find_law("pressed"), random);
+  const Law alone = like(granule),
+            joined = tabulate(join(alone.pair, {alone.table.get(), 0.5, 0.5}, {alone.table.get(), 0.5, 0.5}));
+  for (double x = 1e-3; x < 0.49; x *= 1.1) {
+    const double gamma = x / alone.scale.x_per_gamma, F = evaluate(alone, State{}, gamma).force;
+    EXPECT_NEAR(evaluate(joined, State{}, gamma).force, F, 1e-3 * F) << x;
+  }
+}
+
+/// Beside laws that know both moduli: docs/explanation/joined.md.
+TEST(Joined, IsNearLawsThatKnowBothModuli) {
+  const auto metal = [](const std::string& law, const char* E, const char* sigma) {
+    const char* strength = law == "thornton-ning" ? " p_y_Pa=" : " sigma_y_Pa=";
+    return LawChoice{law, "", parameter_texts(std::string("nu=0.3 E_Pa=") + E + strength + sigma)};
+  };
+  for (const std::string law : {"agarwal", "kogut-etsion", "mdr", "thornton-ning"})
+    for (const auto& [E, sigma] :
+         {std::pair{"1e9", "1e7"}, {"1e9", "4e7"}, {"5e9", "1e7"}, {"1e12", "1e10"}}) {
+      const LawChoice a = metal(law, "1e9", "1e7"), b = metal(law, E, sigma);
+      const Law exact = make_law(a, 1e-3, b, 2e-3), one = like(a), two = like(b);
+      const Law joined = tabulate(join(exact.pair, {one.table.get(), 0.5, 0.5}, {two.table.get(), 0.5, 0.5}));
+      for (double x : {1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1, 0.3}) {
+        const double gamma = x / exact.scale.x_per_gamma, F = evaluate(exact, State{}, gamma).force;
+        EXPECT_NEAR(evaluate(joined, State{}, gamma).force, F, (x < 0.1 ? 0.22 : 0.14) * F)
+            << law << ' ' << E << ' ' << sigma << ' ' << x;
+      }
+    }
+}
+
+TEST(Joined, AnyTwoCurvesMakeASoundLaw) {
+  Random random;
+  for (int i = 0; i < 100; ++i) {
+    const LawChoice a = random_material(find_law("pressed"), random),
+                    b = random_material(find_law("pressed"), random);
+    const double R2 = random.log_between(2e-4, 5e-3);
+    const Law law = make_law(a, 1e-3, b, R2), mirrored = make_law(b, R2, a, 1e-3);
+    double last = 0;
+    const double end = std::min(law.table->valid[0][1], mirrored.table->valid[0][1]);
+    for (double x = 1e-5; x < end; x *= 1.2) {
+      const double gamma = x / law.scale.x_per_gamma, F = evaluate(law, State{}, gamma).force;
+      ASSERT_GE(F, last) << text_of(a) << text_of(b);
+      ASSERT_NEAR(evaluate(mirrored, State{}, gamma).force, F, 5e-3 * F); // one walks along a, one along b
+      last = F;
+    }
+  }
+}
+
+TEST(Joined, SpringsOfTheirOwnNeedTheirLike) {
+  const LawChoice hertz{"hertz", "", parameter_texts("E_Pa=1e9 nu=0.3")};
+  const LawChoice springs{"luding", "", parameter_texts("k_1_N_per_m=1e5 k_2_N_per_m=5e5 phi_f=0.1")};
+  EXPECT_THROW((void)make_law(hertz, 1e-3, springs, 1e-3), BadParameter);
+}
+
+} // namespace
