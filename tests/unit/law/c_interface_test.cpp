@@ -81,6 +81,39 @@ TEST(CInterface, SaysWhatIsWrong) {
   EXPECT_STREQ(tiny, "the");
 }
 
+TEST(Catalogue, RefusesWhatNoLawHereCanBe) {
+  const auto why = [](const char* name, const char* parameters) -> std::string {
+    try {
+      (void)make_law(name, "", parameter_texts(parameters));
+    } catch (const BadParameter& error) { return error.what(); }
+    return "";
+  };
+  const auto says = [&](const char* name, const char* parameters, const char* words) {
+    EXPECT_NE(why(name, parameters).find(words), std::string::npos) << why(name, parameters);
+  };
+  says("hertz", "radius_m=1e-3 E_Pa=1e9 nu=0.3 surface_energy=0.1", "no law here has adhesion");
+  says("shahin", "radius_m=1e-3 E_Pa=5e6 nu=0.3 kappa_Pa=6e6 inverse_m=0.3", "stays elastic");
+  says("similarity", "radius_m=1e-3 E_Pa=5e6 nu=0.3 kappa_Pa=6e6 inverse_m=0.3", "stays elastic");
+  says("hertz", "radius_m=1e-3 E_Pa=1e9 nu=nan", "not a number");
+  says("pressed", "radius_m=1e-3 E_Pa=1e9 nu=0.3 sigma_ref_Pa=1e6 delta_bar=1,2 F_bar=1,2 a_bar=1,2",
+       "delta_bar");
+}
+
+TEST(Catalogue, TakesMetalsOfAnyStrength) { // tables once ended at E/sigma_y of about 27,000, without a word
+  for (const char* law : {"agarwal", "jackson-green", "mdr", "kogut-etsion"})
+    for (const char* strength : {"1e7", "1e5", "1e3"}) {
+      const Law metal = make_law(
+          law, "", parameter_texts(std::string("radius_m=1e-3 E_Pa=1e11 nu=0.3 sigma_y_Pa=") + strength));
+      double last = 0;
+      for (double gamma = 1e-12; gamma < 1e-3; gamma *= 1.5) {
+        const Response now = evaluate(metal, State{}, gamma);
+        ASSERT_TRUE(std::isfinite(now.force) && now.force >= last) << law << ' ' << strength << ' ' << gamma;
+        ASSERT_LT(now.contact_radius, 5e-3); // of the order of the sphere
+        last = now.force;
+      }
+    }
+}
+
 TEST(Catalogue, EveryLawIsMadeInEveryVariantAndAgainstAPlane) {
   for (const auto& [name, parameters] : examples) {
     auto texts = parameter_texts(parameters);
