@@ -108,7 +108,7 @@ TEST(Catalogue, TakesMetalsOfAnyStrength) { // tables once ended at E/sigma_y of
       for (double gamma = 1e-12; gamma < 1e-3; gamma *= 1.5) {
         const Response now = evaluate(metal, State{}, gamma);
         ASSERT_TRUE(std::isfinite(now.force) && now.force >= last) << law << ' ' << strength << ' ' << gamma;
-        if (std::string_view(law) == "agarwal") ASSERT_LT(now.contact_radius, 2.1e-3);
+        if (std::string_view(law) == "agarwal") { ASSERT_LT(now.contact_radius, 2.1e-3); }
         last = now.force;
       }
     }
