@@ -110,6 +110,9 @@ struct LawChoice {
 /// Two bodies, each with its own parameters. Laws that differ, or that do not take the two, are joined.
 inline Law make_law(const LawChoice& one, double R1, const LawChoice& two, double R2) {
   const Reader a = one.reader(), b = two.reader();
+  if (a.loading() != b.loading()) // a particle in a die beside one that is pressed alone
+    throw BadParameter(one.name + " and " + two.name +
+                       ": both sides must have the same loading (simple, die or hydrostatic)");
   if (one.name == two.name && a.variant == b.variant) try {
       return find_type(one.name).of_pair(a, R1, b, R2);
     } catch (const BadParameter&) { // of one of them, or only of the two together

@@ -41,11 +41,11 @@ inline double stiffness_at(const Top& top) { return top.alpha * top.F / top.w; }
 
 } // namespace detail
 
-/// A rigid body has no table. `x_end` is where the first table's knots end.
+/// One body against its like.
 struct JoinedSide {
-  const Table* table = nullptr;
-  double x_end = 0.5; ///< the tables' curves are followed to here
-  double x_valid = 0.5;
+  const Table* table = nullptr; ///< none: rigid
+  double x_end = 0.5;           ///< its curve is followed to here
+  double x_valid = 0.5;         ///< it holds to here
 };
 
 inline KnotCurve join(const Pair& pair, const JoinedSide& one, const JoinedSide& two) {

@@ -94,6 +94,18 @@ TEST(Joined, AnyTwoCurvesMakeASoundLaw) {
   }
 }
 
+TEST(Joined, ParticlesPressedInDifferentWaysDoNotMeet) {
+  const auto metal = [](const char* loading) {
+    return LawChoice{"agarwal", "",
+                     parameter_texts(std::string("E_Pa=5e8 nu=0.3 sigma_y_Pa=1e6 loading=") + loading)};
+  };
+  const LawChoice hertz{"hertz", "", parameter_texts("E_Pa=1e9 nu=0.3")};
+  EXPECT_THROW((void)make_law(metal("die"), 1e-3, metal("simple"), 1e-3), BadParameter);
+  EXPECT_THROW((void)make_law(metal("die"), 1e-3, hertz, 1e-3), BadParameter);
+  EXPECT_NO_THROW((void)make_law(metal("simple"), 1e-3, hertz, 1e-3));
+  EXPECT_NO_THROW((void)make_law(metal("die"), 1e-3, metal("die"), 2e-3));
+}
+
 TEST(Joined, SpringsOfTheirOwnNeedTheirLike) {
   const LawChoice hertz{"hertz", "", parameter_texts("E_Pa=1e9 nu=0.3")};
   const LawChoice springs{"luding", "", parameter_texts("k_1_N_per_m=1e5 k_2_N_per_m=5e5 phi_f=0.1")};
