@@ -125,14 +125,14 @@ Laws::At Laws::between(double R1, double R2) {
   if (contact.on_plane) {
     const double R = R1 * length, F = force_power == 2 ? R * R : std::pow(R, force_power);
     at.table = node_[0].get();
-    at.scale = {R, 1 / R, F, F * R};
+    at.scale = {R, 1 / R, F, F * R, F / (R * R)};
     return at;
   }
   const double mean = (R1 + R2) / 2 * length, t = (R1 - R2) / (R1 + R2), t2 = t * t,
                root = std::sqrt(1 + 3 * t2);
   const double R_e = mean * (1 - t2) / root, x_per_gamma = (1 + 3 * t2) / (2 * (1 - t2) * mean);
   const double F = force_power == 2 ? R_e * R_e : std::pow(R_e, force_power);
-  at.scale = {R_e, x_per_gamma, F, F / x_per_gamma};
+  at.scale = {R_e, x_per_gamma, F, F / x_per_gamma, F / (R_e * R_e)};
   at.table = node(static_cast<int>(std::lround((2 / root - 1) * last)), t > 0);
   return at;
 }

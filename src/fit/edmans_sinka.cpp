@@ -104,9 +104,7 @@ std::vector<std::string_view> edmans_sinka_variants() {
 }
 
 std::string_view name_of(EdmansSinkaVariant wanted) {
-  for (const auto& [name, variant] : variants)
-    if (variant == wanted) return name;
-  return "published-corrected"; // the published curve; only its parameters come from elsewhere
+  return std::ranges::find(variants, wanted, &std::remove_cvref_t<decltype(variants[0])>::second)->first;
 }
 
 EdmansSinkaFit fit_edmans_sinka(const press::Curve& curve, std::string_view variant) {

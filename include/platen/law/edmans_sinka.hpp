@@ -50,7 +50,7 @@ struct EdmansSinkaMaterial {
         "compressible plastic particles, fitted curve",
         "Edmans & Sinka (6), (9)-(14)",
         "delta/R <= 0.5",
-        "published|published-corrected|c1|hertz-like",
+        "published|c1|hertz-like",
         {{"sigma_ref_Pa", "stress that makes the force dimensionless: the material's yield stress", positive},
          youngs_modulus(),
          poissons_ratio(),
@@ -66,10 +66,9 @@ struct EdmansSinkaMaterial {
     EdmansSinkaMaterial m;
     m.sigma_ref = p("sigma_ref_Pa"), m.E = p("E_Pa"), m.nu = p("nu");
     m.k = p("k"), m.delta_t = p("delta_t"), m.a = p("a"), m.corner = p("corner");
-    m.variant = p.variant == "c1"                    ? EdmansSinkaVariant::c1
-                : p.variant == "hertz-like"          ? EdmansSinkaVariant::hertz_like
-                : p.variant == "published-corrected" ? EdmansSinkaVariant::published_corrected
-                                                     : EdmansSinkaVariant::published;
+    m.variant = p.variant == "c1"           ? EdmansSinkaVariant::c1
+                : p.variant == "hertz-like" ? EdmansSinkaVariant::hertz_like
+                                            : EdmansSinkaVariant::published;
     if (m.variant == EdmansSinkaVariant::c1 && !p.given("corner"))
       m.corner = smaller(0.5, 0.8 / (m.a * m.delta_t));
     const auto x = p.numbers("unload_delta_bar"), alphas = p.numbers("alpha"), betas = p.numbers("beta");
@@ -98,6 +97,8 @@ template <class Real = double> struct EdmansSinka {
   Real unload_x[EdmansSinkaMaterial::most_unloadings]{};
   Real alpha[EdmansSinkaMaterial::most_unloadings]{};
   Real beta[EdmansSinkaMaterial::most_unloadings]{};
+  Real least[EdmansSinkaMaterial::most_unloadings]{}; ///< of d ln S/d ln gamma, S the unloading slope, to the
+                                                      ///< next
 
   [[nodiscard]] PLATEN_FUNCTION Loading<Real> loading(const Real& gamma) const {
     const Real x = gamma * pair.x_per_gamma;
@@ -137,15 +138,17 @@ template <class Real = double> struct EdmansSinka {
     int i = 0;
     while (i + 2 < unloadings && unload_x[i + 1] < x) ++i;
     Real al = alpha[0], be = beta[0];
+    Loading<Real> top = peak;
     if (unloadings > 1) {
       const Real t = larger(Real(0), smaller(Real(1), (x - unload_x[i]) / (unload_x[i + 1] - unload_x[i])));
       al = alpha[i] + t * (alpha[i + 1] - alpha[i]);
       be = beta[i] + t * (beta[i + 1] - beta[i]);
+      top.least_a = smaller(top.least_a, least[i]);
     }
     // (10), (12): the overlap at which Hertz carries this force; (11): beta = that over gamma_max - gamma_0
     const Real q = Real(0.75) * peak.F / pair.E_star;
     const Real gamma_hertz = cbrt(q * q * pair.A);
-    return unloading_from_slope(gamma, peak, al * be * gamma / gamma_hertz * peak.F, al);
+    return unloading_from_slope(gamma, top, al * be * gamma / gamma_hertz * peak.F, al);
   }
 };
 
@@ -199,6 +202,15 @@ inline EdmansSinka<double> prepare(const EdmansSinkaMaterial& m1, double R1, con
     law.unload_x[i] = soft.unload_delta_bar[i];
     law.alpha[i] = soft.alpha[i];
     law.beta[i] = soft.beta[i];
+  }
+  // S goes with alpha beta gamma F^(1/3), and F at least with gamma. An exponent that grows by itself lets
+  // more work come back, as a slope that falls: it counts with it.
+  for (int i = 0; i + 1 < law.unloadings; ++i) {
+    const double per_x = law.unload_x[i + 1] / (law.unload_x[i + 1] - law.unload_x[i]);
+    const double falls =
+        smaller(0.0, 1 - law.beta[i] / law.beta[i + 1]) + smaller(0.0, 1 - law.alpha[i] / law.alpha[i + 1]);
+    const double grows = larger(0.0, law.alpha[i + 1] - law.alpha[i]) / (law.alpha[i] * (1 + law.alpha[i]));
+    law.least[i] = smaller(i ? law.least[i - 1] : 4.0 / 3, 4.0 / 3 + per_x * (falls - grows));
   }
   return law;
 }

@@ -6,11 +6,9 @@
 //
 // Two printed coefficients cannot be right. As printed, k falls with Gamma_bar against the paper's own text
 // and is eight times below finite elements, and delta_t of about 0.5 leaves no exponential branch in x <=
-// 0.5. `published_corrected` shifts one decimal exponent in each: with it fits to independent finite elements
+// 0.5. `corrected` shifts one decimal exponent in each: with it fits to independent finite elements
 // give k = 4.1 / 1.2 / 1.0 at (Gamma_bar, E_bar) = (1, 100) / (0.25, 100) / (1, 3) against 3.90 / 1.36
 // / 1.22, and a blind check at (1, 500) 5.15 against 5.13.
-
-#include "platen/law/edmans_sinka.hpp"
 
 #include <cmath>
 
@@ -21,8 +19,10 @@ struct AppendixA {
   bool in_range; ///< inside the simulated ranges, and delta_t inside (0, 0.5)
 };
 
-inline AppendixA edmans_sinka_appendix(double Gamma_bar, double E_bar, EdmansSinkaVariant variant) {
-  const bool corrected = variant != EdmansSinkaVariant::published;
+enum class Coefficients : unsigned char { printed, corrected };
+
+inline AppendixA edmans_sinka_appendix(double Gamma_bar, double E_bar, Coefficients which) {
+  const bool corrected = which == Coefficients::corrected;
   const double k1 = corrected ? 7.4613e-1 : 7.4613e-4; // (A.1) a1
   const double d6 = corrected ? 4.3846e-2 : 4.3846e-1; // (A.2) a6
   const double G = Gamma_bar, L = std::log(E_bar), e = 1 / E_bar;

@@ -9,10 +9,9 @@
 namespace platen::law {
 
 enum class EdmansSinkaVariant : unsigned char {
-  published,           ///< (6) as printed: continuous, with a kink at delta_t
-  published_corrected, ///< the same curve; its parameters come from the corrected Appendix A
-  c1,                  ///< (6) with the kink rounded by a cubic over delta_t (1 -+ corner)
-  hertz_like,          ///< first branch k delta_t (x/delta_t)^(3/2), as the paper's Appendix A suggests
+  published,  ///< (6) as printed: continuous, with a kink at delta_t
+  c1,         ///< (6) with the kink rounded by a cubic over delta_t (1 -+ corner)
+  hertz_like, ///< first branch k delta_t (x/delta_t)^(3/2), as the paper's Appendix A suggests
 };
 
 /// The loading curve in dimensionless form. Templated on the scalar so that a fit can differentiate it with

@@ -33,13 +33,13 @@ PLATEN_HOT double fast_log(double x) {
   const double m = std::bit_cast<double>((bits & 0x000f'ffff'ffff'ffff) | 0x3ff0'0000'0000'0000);
   const auto i = static_cast<int>(bits >> (52 - LogParts::bits)) & (LogParts::count - 1);
   const double r = m * log_parts.inverse[i] - 1, r2 = r * r; // |r| < 0.008
-  const double series = (-0.5 + r * (1.0 / 3)) + r2 * ((-0.25 + r * 0.2) + r2 * (-1.0 / 6 + r * (1.0 / 7)));
+  const double series = (-0.5 + r * (1.0 / 3)) + r2 * ((-0.25 + r * 0.2) + r2 * (-1.0 / 6));
   return (static_cast<double>(k) * 0.6931471805599453 + log_parts.log[i]) + (r + r2 * series);
 }
 
-/// 2^(i/32) for fast_exp.
+/// 2^(i/128) for fast_exp.
 struct ExpParts {
-  static constexpr int count = 32;
+  static constexpr int count = 128;
   double value[count] = {};
   constexpr ExpParts() {
     for (int i = 0; i < count; ++i) {
@@ -58,11 +58,11 @@ PLATEN_HOT double fast_exp(double x) {
   const double shifted = x * (ExpParts::count / 0.6931471805599453) + 0x1.8p52;
   const auto k = std::bit_cast<std::int64_t>(shifted) - std::bit_cast<std::int64_t>(0x1.8p52);
   const double whole = shifted - 0x1.8p52;
-  // ln 2/32 in two parts, so that whole times the first is exact
-  const double r = (x - whole * 0x1.62e42fefa38p-6) - whole * 0x1.ef35793c7673p-50; // |r| < 0.011
+  // ln 2/128 in two parts, so that whole times the first is exact
+  const double r = (x - whole * 0x1.62e42fefa38p-8) - whole * 0x1.ef35793c7673p-52; // |r| < 0.0028
   const double r2 = r * r;
-  const double p = (1 + r) + r2 * ((0.5 + r * (1.0 / 6)) + r2 * (1.0 / 24 + r * (1.0 / 120)));
-  return p * (exp_parts.value[k & (ExpParts::count - 1)] * std::bit_cast<double>((1023 + (k >> 5)) << 52));
+  const double p = (1 + r) + r2 * ((0.5 + r * (1.0 / 6)) + r2 * (1.0 / 24));
+  return p * (exp_parts.value[k & (ExpParts::count - 1)] * std::bit_cast<double>((1023 + (k >> 7)) << 52));
 }
 
 PLATEN_HOT double fast_power(double x, double e) {

@@ -142,8 +142,7 @@ class KnotCurve {
     const double x = gamma * pair.x_per_gamma;
     if (gamma <= gamma_elastic) return {0, 1.5}; // never followed: elastic
     const double u = std::log(std::clamp(x, x_first, x_last));
-    double w = std::exp(recovered.value(u)); // beyond the last knot held, below the first in proportion
-    if (x < x_first) w *= x / x_first;
+    const double w = std::min(x, x_last) * std::exp(recovered.value(u)); // beyond the last knot held
     return {pair.x_per_gamma / w, exponent.value(u)};
   }
   [[nodiscard]] bool in_range(double gamma) const { return gamma * pair.x_per_gamma <= x_valid * (1 + 1e-9); }
@@ -166,9 +165,10 @@ class KnotCurve {
   /// point. A curve's small waves have exponents of their own, so that general bounds (unloading_from_slope)
   /// would stiffen it everywhere.
   void limit_unloading() {
-    std::vector<double> u, ln_w;
+    std::vector<double> u,
+        ln_share; // w/x: between two points it goes past neither, and so not past the origin
     const auto& x = force.knots();
-    const int parts = std::clamp(static_cast<int>(400 / x.size()), 1, 10);
+    const int parts = std::clamp(static_cast<int>(1200 / x.size()), 4, 30);
     constexpr double room = 1e-3; // for what lies between the points
     double lost = 0, work = work_to_knot.front();
     if (gamma_elastic == 0) lost = -infinity;
@@ -179,18 +179,19 @@ class KnotCurve {
         double y = 0, slope = 0;
         force.at(at, y, slope);
         const double F = std::exp(y), alpha = exponent.value(at);
-        if (!xs.empty()) work += work_between(xs.back(), here);
+        const double put_in = xs.empty() ? 0 : work_between(xs.back(), here);
+        work += put_in;
         double w = std::min(here, alpha * F / std::exp(stiffness.value(at)));
         if (slope > 0) w = std::min(w, alpha * here / slope); // starts as steeply as the loading curve ends
-        for (std::size_t back = 1; back <= xs.size(); back += 1 + back / 4) { // densest near by
+        for (std::size_t back = 1; back <= xs.size(); back += 1 + back / 16) { // densest near by
           const std::size_t j = xs.size() - back;
           w = std::min(w, (here - xs[j]) / (1 - std::pow(Fs[j] / F, 1 / alpha)) * (1 - room));
         }
-        w = std::min(w, (work - lost) * (1 + alpha) / F);
+        w = std::min(w, (work - lost - room * put_in) * (1 + alpha) / F);
         lost = work - F * w / (1 + alpha);
-        xs.push_back(here), Fs.push_back(F), u.push_back(at), ln_w.push_back(std::log(w));
+        xs.push_back(here), Fs.push_back(F), u.push_back(at), ln_share.push_back(std::log(w / here));
       }
-    recovered = MonotoneCurve(u, ln_w);
+    recovered = MonotoneCurve(u, ln_share);
   }
 
   /// Simpson's rule, over R_e^2 and in x.

@@ -36,11 +36,13 @@ struct Scale {
   double x_per_gamma = 0; ///< [1/m]
   double force = 0;       ///< R_e^2, or what force goes with [m^2]
   double work = 0;        ///< force/x_per_gamma
+  double pressure = 1;    ///< force/R_e^2
 };
 
 /// One stretch of overlaps, t = v - left.
 struct Cell {
-  double left = 0, right = 0; ///< in v
+  double left = 0; ///< where it begins, in v
+  double end = 0;  ///< in x
   Cubic F, w, a;
   Cubic lost; ///< work that unloading does not give back; it never falls
   double alpha = 1.5, alpha_slope = 0;
@@ -49,6 +51,7 @@ struct Cell {
 /// Force, contact radius and unloading at one overlap x, in units of the table.
 struct Top {
   double F = 0, slope = 0, a = 0, w = 0, alpha = 1.5, lost = 0;
+  double per_area = 0; ///< 1/(pi a^2); not below the cells
 
   /// What unloading gives back, where it ends before the bodies part.
   [[nodiscard]] PLATEN_HOT double back() const { return F * w / (1 + alpha); }
@@ -58,7 +61,7 @@ struct Top {
 
 /// A table without ownership: plain data that may be copied to another device with what it points to.
 struct TableView {
-  static constexpr int bits = 5;          ///< 32 slots an octave of v lead to the cells
+  static constexpr int bits = 6;          ///< 64 slots an octave of x lead to the cells
   static constexpr double x_limit = 1000; ///< from here on everything is held
 
   const Cell* cells = nullptr;
@@ -66,7 +69,7 @@ struct TableView {
   std::int64_t base = 0;
   int slots = 0;
   Top first;                           ///< at x_first
-  double x_first = 0;                  ///< up to here powers of x; 0: the first cell begins at 0
+  double x_first = 0;                  ///< up to here powers of x; `first` without force: no contact
   double n_first = 1.5, m_first = 0.5; ///< exponents of force and radius there
   double x_elastic = 0;                ///< up to here unloading retraces the loading curve
   double valid[2][2] = {};             ///< the law was made for overlaps in either interval
@@ -78,17 +81,22 @@ struct TableView {
     return ((valid[0][0] <= x) & (x <= valid[0][1])) | ((valid[1][0] <= x) & (x <= valid[1][1]));
   }
 
-  [[nodiscard]] PLATEN_HOT Top top(double x) const {
-    if (x < x_first) return start(x);
+  [[nodiscard]] PLATEN_HOT Top top(double x) const { return x < x_first ? start(x) : in_cells(x); }
+
+  /// The cell is found from the bits of x, while the root is still on its way, and one division serves both
+  /// quotients: a contact waits for little else.
+  [[nodiscard]] PLATEN_HOT Top in_cells(double x) const {
     const double v = std::sqrt(x);
-    std::int64_t k = (std::bit_cast<std::int64_t>(v) >> (52 - bits)) - base;
+    std::int64_t k = (std::bit_cast<std::int64_t>(x) >> (52 - bits)) - base;
     k = k < slots ? k : slots - 1;
     k = k < 0 ? 0 : k;
     const Cell* c = cells + slot[k];
-    while (c->right <= v) ++c;
-    const double t = v - c->left;
-    return {c->F.value(t), c->F.slope(t) / (2 * v),       c->a.value(t),
-            c->w.value(t), c->alpha + t * c->alpha_slope, c->lost.value(t)};
+    while (c->end <= x) ++c;
+    const double t = v - c->left, a = c->a.value(t);
+    const double area = std::numbers::pi * a * a, twice_v = 2 * v, per_both = 1 / (area * twice_v);
+    return {c->F.value(t),     c->F.slope(t) * (per_both * area), a,
+            c->w.value(t),     c->alpha + t * c->alpha_slope,     c->lost.value(t),
+            per_both * twice_v};
   }
 
   /// Below the cells.
@@ -114,29 +122,69 @@ struct Table : TableView {
 
 namespace detail {
 
-/// On unloading, of a shape that is no power: force and contact radius over those at the largest overlap
-/// x_top, and the force's slope over x.
-PLATEN_RARE void own_shape(const TableView& t, double xi, double x, double x_top, double rate, double& part,
-                           double& slope, double& radius) {
+/// Force, its slope over x and the contact radius below the largest overlap, each over its value F or a
+/// there.
+struct Below {
+  double force = 0, slope = 0, radius = 0;
+};
+
+/// On unloading, of a shape that is no power.
+PLATEN_RARE Below own_shape(const TableView& t, double xi, double x, double x_top, double rate) {
+  if (!(0 < xi && 0 < x)) return {};
   if (t.shape == Shape::indenter) {
-    radius = std::sqrt(xi * (2 - xi));
+    const double radius = std::sqrt(xi * (2 - xi));
     // acos(1 - xi) - (1 - xi) sqrt(2 xi - xi^2), whose terms cancel for small xi
     const double area = xi < 1e-4 ? 4.0 / 3 * std::sqrt(2 * xi) * xi : std::acos(1 - xi) - (1 - xi) * radius;
-    part = 2 / std::numbers::pi * area;
-    slope = 4 / std::numbers::pi * radius * rate;
-    return;
+    return {2 / std::numbers::pi * area, 4 / std::numbers::pi * radius * rate, radius};
   }
   const double p = power(x / x_top, t.n), rest = 1 - t.lambda_p;
-  part = larger((p - t.lambda_p) / rest, 0.0);
-  slope = t.n * p / (rest * x);
-  radius = std::sqrt(x / x_top);
+  return {larger((p - t.lambda_p) / rest, 0.0), t.n * p / (rest * x), std::sqrt(x / x_top)};
 }
 
-} // namespace detail
+/// Overlaps of a contact, and the same in units of the table; at x_top the loading curve is left.
+struct Place {
+  State state;
+  double x = 0, x_max = 0, x_top = 0;
+};
 
-/// The whole law in one pure step: remembered state and overlap in, response and new state out. An overlap
-/// that is no number gives a response that is none, and leaves the memory alone.
-PLATEN_HOT Response evaluate(const TableView& t, const Scale& s, const State& old, double overlap) {
+PLATEN_HOT Response respond(const TableView& t, const Scale& s, const State& old, const Place& at,
+                            const Top& top) {
+  Response now;
+  now.state = at.state;
+  now.in_range = t.in_range(at.x_max);
+  const double x = at.x, x_top = at.x_top, rate = 1 / top.w, xi = 1 - (x_top - x) * rate;
+  now.dissipated_work = s.work * top.lost;
+  if (const double left = 1 - rate * x_top; 1e-9 < left)
+      [[unlikely]] // some published curves: force at the parting
+    now.dissipated_work += s.work * top.back() * left * power(left, top.alpha);
+  const bool touching = (0 < xi) & (0 < x);
+  double force = 1, slope = top.slope, radius = 1, pressure = 1; // over F, 1, a, F/(pi a^2) at the top
+  if (x < x_top) { // asked early: the processor guesses, and a wrong guess costs less the sooner it is seen
+    if (t.shape == Shape::power) {
+      const double base = pick(touching, xi, 0);
+      radius = t.all_three_halves ? std::sqrt(base) : fast_power(base, top.alpha - 1);
+      force = base * radius;
+      slope =
+          top.F * top.alpha * radius * rate; // dF/dgamma stays proportional to a, as for any elastic punch
+      pressure = t.all_three_halves ? radius : pick(touching, base / radius, 0);
+    } else {
+      const Below below = own_shape(t, xi, x, x_top, rate);
+      force = below.force, slope = top.F * below.slope, radius = below.radius;
+      pressure = touching ? force / (radius * radius) : 0;
+    }
+  }
+  now.force = s.force * top.F * force;
+  now.stiffness = s.force * s.x_per_gamma * slope;
+  now.contact_radius = s.R_e * top.a * radius;
+  now.mean_pressure = s.pressure * top.F * top.per_area * pressure;
+  const bool loading = old.gamma_max < at.state.gamma;
+  const int going = 3 - 2 * loading - ((at.state.gamma < old.gamma) & !loading);
+  now.branch = static_cast<Branch>(touching * going);
+  return now;
+}
+
+/// Apart, before the cells, beyond the limit, or no number.
+PLATEN_RARE Response respond_outside(const TableView& t, const Scale& s, const State& old, double overlap) {
   Response now;
   if (overlap != overlap) {
     now.force = now.stiffness = now.contact_radius = now.mean_pressure = now.dissipated_work = overlap;
@@ -147,43 +195,34 @@ PLATEN_HOT Response evaluate(const TableView& t, const Scale& s, const State& ol
   const bool beyond = TableView::x_limit < overlap * s.x_per_gamma;
   const double gamma = beyond ? TableView::x_limit / s.x_per_gamma : overlap;
   const double gamma_max = larger(gamma, old.gamma_max);
-  now.state = {gamma, gamma_max};
   const double x = gamma * s.x_per_gamma, x_max = gamma_max * s.x_per_gamma;
-  now.in_range = !beyond && t.in_range(x_max);
-  const bool elastic = x_max <= t.x_elastic;
-  const double x_top = detail::pick(elastic, x, x_max); // where the loading curve is left
-  if (!(0 < x_top)) return now;                         // never touched, or apart without a trace
-  const Top top = t.top(x_top);
-  if (!(0 < top.F)) return now; // an overlap so small that its force is no number
-  const double rate = 1 / top.w, xi = 1 - (x_top - x) * rate;
-  now.dissipated_work = s.work * top.lost;
-  if (const double left = 1 - rate * x_top; 1e-9 < left)
-      [[unlikely]] // some published curves: force at the parting
-    now.dissipated_work += s.work * top.back() * left * power(left, top.alpha);
-  const bool touching = (0 < xi) & (0 < x);
-  double part = 1, slope = top.slope, radius = 1; // of force, its slope over x, and contact radius at the top
-  if (x < x_top) { // asked early: the processor guesses, and a wrong guess costs less the sooner it is seen
-    if (t.shape == Shape::power) {
-      const double base = detail::pick(touching, xi, 1);
-      radius = t.all_three_halves ? std::sqrt(base) : detail::fast_power(base, top.alpha - 1);
-      part = base * radius;
-      slope =
-          top.F * top.alpha * radius * rate; // dF/dgamma stays proportional to a, as for any elastic punch
-    } else if (touching) {
-      detail::own_shape(t, xi, x, x_top, rate, part, slope, radius);
-      slope *= top.F;
-    }
-  }
-  part = detail::pick(touching, part, 0);
-  slope = detail::pick(touching, slope, 0);
-  radius = detail::pick(touching, radius, 0);
-  now.force = s.force * top.F * part;
-  now.stiffness = beyond ? 0 : s.force * s.x_per_gamma * slope;
-  now.contact_radius = s.R_e * top.a * radius;
-  now.mean_pressure = detail::mean_pressure(now.force, now.contact_radius);
-  const int going = 3 - 2 * (old.gamma_max < gamma) - ((gamma < old.gamma) & !(old.gamma_max < gamma));
-  now.branch = static_cast<Branch>(touching * going);
+  const double x_top = x_max <= t.x_elastic ? x : x_max;
+  now.state = {gamma, gamma_max};
+  now.in_range = t.in_range(x_max);
+  if (0 < x_top)                                 // else never touched, or apart without a trace
+    if (const Top top = t.top(x_top); 0 < top.F) // so small an overlap may have no force
+      now = respond(t, s, old, {now.state, x, x_max, x_top}, top);
+  now.mean_pressure = mean_pressure(now.force, now.contact_radius);
+  if (beyond) now.stiffness = 0, now.in_range = false;
   return now;
+}
+
+} // namespace detail
+
+/// The whole law in one pure step: remembered state and overlap in, response and new state out. An overlap
+/// that is no number gives a response that is none, and leaves the memory alone.
+PLATEN_HOT Response evaluate(const TableView& t, const Scale& s, const State& old, double overlap) {
+  const double x = overlap * s.x_per_gamma, x_max = larger(x, old.gamma_max * s.x_per_gamma);
+  const double x_top = detail::pick(x_max <= t.x_elastic, x, x_max);
+  if (!(t.x_first < x_top && x <= TableView::x_limit)) [[unlikely]] {
+    const Response far = detail::respond_outside(t, s, old, overlap);
+    // member by member: as a whole it would be kept in memory on the usual path too
+    return {far.force,         far.stiffness,       far.contact_radius,
+            far.mean_pressure, far.dissipated_work, {far.state.gamma, far.state.gamma_max},
+            far.branch,        far.in_range};
+  }
+  return detail::respond(t, s, old, {{overlap, larger(overlap, old.gamma_max)}, x, x_max, x_top},
+                         t.in_cells(x_top));
 }
 
 /// A law for two bodies, ready to run. Copies share the table.

@@ -147,13 +147,13 @@ template <class L> class Tabulator {
     // Hertz, and straight lines, are cubics of v: their first cell begins at no overlap.
     if (const double n = rounded(n0); elastic(good) && rounded(m0) == 0.5 && (n == 1.5 || n == 1)) {
       Cell c;
-      c.right = std::sqrt(good);
+      c.end = good;
       const Sample s = at(good * (1 - side));
       (n == 1.5 ? c.F.c3 : c.F.c2) = s.F / std::pow(good, n);
-      c.a.c1 = s.a / c.right;
+      c.a.c1 = s.a / std::sqrt(good);
       c.w = {0, 0, 1, 0};
       c.alpha = n;
-      work = work_in(c, c.right);
+      work = work_in(c, std::sqrt(good));
       t.cell_list.push_back(c);
       t.x_first = good;
       from_nothing = true;
@@ -200,7 +200,7 @@ template <class L> class Tabulator {
       between(middle, right);
       return;
     }
-    work += work_in(cell, cell.right - cell.left);
+    work += work_in(cell, std::sqrt(right) - cell.left);
     table->cell_list.push_back(cell);
     if (table->cell_list.size() > 4000) throw BadParameter("law: its curve changes too often for a table");
   }
@@ -225,16 +225,16 @@ template <class L> class Tabulator {
 
   bool make_cell(double left, double right, Cell& c) const {
     c.left = std::sqrt(left);
-    c.right = std::sqrt(right);
-    const double h = c.right - c.left;
+    c.end = right;
+    const double h = std::sqrt(right) - c.left;
     const auto x_at = [&](int k, int of) {
       const double v = c.left + h * k / of;
       return k == 0 ? left * (1 + side) : k == of ? right * (1 - side) : v * v;
     };
     Sample s[checks + 1];
     for (int k = 0; k <= checks; ++k) s[k] = at(x_at(k, checks));
-    c.F = rising(
-        h, Cubic::hermite(h, s[0].F, 2 * c.left * s[0].slope, s[checks].F, 2 * c.right * s[checks].slope));
+    c.F = rising(h, Cubic::hermite(h, s[0].F, 2 * c.left * s[0].slope, s[checks].F,
+                                   2 * std::sqrt(right) * s[checks].slope));
     c.a = Cubic::through(h, s[0].a, s[checks / 3].a, s[2 * checks / 3].a, s[checks].a);
     c.alpha = s[0].alpha;
     c.alpha_slope = (s[checks].alpha - s[0].alpha) / h;
@@ -289,7 +289,7 @@ template <class L> class Tabulator {
     Cell c;
     const Sample s = at(x * (1 - side));
     c.left = std::sqrt(x);
-    c.right = infinity;
+    c.end = infinity;
     // t^2 + 2 left t = v^2 - left^2
     c.F = {s.F, 2 * c.left * s.slope, s.slope, 0};
     c.a = {s.a, 0, 0, 0};
@@ -337,22 +337,22 @@ template <class L> class Tabulator {
   void index() {
     Table& t = *table;
     const auto bits_of = [](double v) { return std::bit_cast<std::int64_t>(v) >> (52 - TableView::bits); };
-    if (from_nothing) t.x_first = 0;
-    t.base = bits_of(from_nothing ? t.cell_list.front().right : t.cell_list.front().left);
-    t.slots = static_cast<int>(bits_of(t.cell_list.back().left) - t.base) + 1;
+    if (from_nothing) t.x_first = 0x1p-300; // below it no contact
+    const auto begins = [](const Cell& c) { return c.left * c.left; };
+    t.base = from_nothing ? bits_of(t.cell_list.front().end) - 1 : bits_of(begins(t.cell_list.front()));
+    t.slots = static_cast<int>(bits_of(begins(t.cell_list.back())) - t.base) + 1;
     std::uint16_t cell = 0;
     for (int k = 0; k < t.slots; ++k) {
       const double left = std::bit_cast<double>((t.base + k) << (52 - TableView::bits));
-      while (t.cell_list[cell].right <= left) ++cell;
+      while (t.cell_list[cell].end <= left) ++cell;
       t.slot_list.push_back(cell);
     }
     t.all_three_halves = t.shape == Shape::power;
     for (const Cell& c : t.cell_list) {
-      const bool is_elastic =
-          c.right * c.right <= t.x_elastic * (1 + 1e-9) || elastic(c.left * c.left * (1 + 1e-9));
+      const bool is_elastic = c.end <= t.x_elastic * (1 + 1e-9) || elastic(begins(c) * (1 + 1e-9));
       t.all_three_halves &= is_elastic || (c.alpha == 1.5 && c.alpha_slope == 0);
     }
-    t.all_three_halves &= t.x_first == 0 || elastic(t.x_first) || t.first.alpha == 1.5;
+    t.all_three_halves &= elastic(t.x_first) || t.first.alpha == 1.5;
     t.cell_list.shrink_to_fit();
     t.cells = t.cell_list.data();
     t.slot = t.slot_list.data();
@@ -371,7 +371,7 @@ template <class L> class Tabulator {
 /// The size of two bodies of a law whose force goes with R_e to the given power.
 inline Scale scale_of(const Pair& pair, double force_power = 2) {
   const double force = std::pow(pair.R_e, force_power);
-  return {pair.R_e, pair.x_per_gamma, force, force / pair.x_per_gamma};
+  return {pair.R_e, pair.x_per_gamma, force, force / pair.x_per_gamma, force / (pair.R_e * pair.R_e)};
 }
 
 /// A law ready to run, from its formulas for the same two bodies. Throws BadParameter.

@@ -11,8 +11,8 @@ using namespace platen::law;
 TEST(EdmansSinka, AppendixAPrintedAndCorrected) {
   // Gamma_bar, E_bar; values recomputed by hand from (A.1), (A.2) with the printed and the corrected
   // coefficient
-  const auto v = EdmansSinkaVariant::published;
-  const auto c = EdmansSinkaVariant::published_corrected;
+  const auto v = Coefficients::printed;
+  const auto c = Coefficients::corrected;
   EXPECT_NEAR(edmans_sinka_appendix(1, 100, c).k, 3.90, 0.005);
   EXPECT_NEAR(edmans_sinka_appendix(0.25, 100, c).k, 1.36, 0.005);
   EXPECT_NEAR(edmans_sinka_appendix(1, 3, c).k, 1.22, 0.005);

@@ -23,12 +23,12 @@ struct Figures {
 
 /// Relative L2 of law (6) with the parameters of the regressions, over the materials for which they are
 /// meant.
-Figures of_appendix(const PoolData& data, law::EdmansSinkaVariant variant) {
+Figures of_appendix(const PoolData& data, law::Coefficients coefficients) {
   std::vector<double> errors;
   for (const auto& run : data.runs) {
     const double E_bar = run.description.numbers[1].value, Gamma_bar = run.description.numbers[3].value;
     if (E_bar < 4.5) continue;
-    const auto p = law::edmans_sinka_appendix(Gamma_bar, E_bar, variant);
+    const auto p = law::edmans_sinka_appendix(Gamma_bar, E_bar, coefficients);
     std::vector<double> F_bar;
     for (const double x : data.knots)
       F_bar.push_back(x <= p.delta_t ? p.k * x : p.k * p.delta_t * std::exp(p.a * (x - p.delta_t)));
@@ -45,8 +45,8 @@ Figures of_appendix(const PoolData& data, law::EdmansSinkaVariant variant) {
 TEST(PublishedRegressions, AreFurtherOffThanTheSurrogate) {
   const auto data = read_pool_data(pools / "edmans-sinka");
   const auto s = read_surrogate(pools / "edmans-sinka/surrogate.txt");
-  const auto printed = of_appendix(data, law::EdmansSinkaVariant::published);
-  const auto mended = of_appendix(data, law::EdmansSinkaVariant::published_corrected);
+  const auto printed = of_appendix(data, law::Coefficients::printed);
+  const auto mended = of_appendix(data, law::Coefficients::corrected);
   EXPECT_LT(mended.median, 0.5 * printed.median);
   EXPECT_LT(10 * s.left_out.force.median, mended.median);
 }
