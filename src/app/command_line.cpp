@@ -26,6 +26,7 @@ template <class T> Option Command::add_option(const std::string& names, T& value
 template Option Command::add_option(const std::string&, std::string&, const std::string&);
 template Option Command::add_option(const std::string&, int&, const std::string&);
 template Option Command::add_option(const std::string&, double&, const std::string&);
+template Option Command::add_option(const std::string&, std::vector<double>&, const std::string&);
 template Option Command::add_option(const std::string&, std::vector<std::string>&, const std::string&);
 template Option Command::add_option(const std::string&, std::optional<double>&, const std::string&);
 Option Command::add_flag(const std::string& names, bool& value, const std::string& what) {

@@ -234,16 +234,21 @@ answers 2 'the range is empty' "$platen" eval "${hertz[@]}" --overlap 1e-6:1e-6:
 answers 2 'the range is empty' "$platen" export table "${hertz[@]}" --overlap 1e-6:1e-6:3
 printf '%s\n' 'platen = 1' 'law = "hertz"' '[parameters]' 'E_Pa = 1e9' 'nu = 0.3' >hertz.toml
 hertz_card=(hertz.toml --delta-bar 0.01)
-answers 2 'give --delta-bar' "$platen" export lammps hertz.toml --radius 1e-4 --density 636
+answers 0 'timestep' "$platen" export lammps hertz.toml --radius 1e-4 --density 636
+printf '%s\n' 'platen = 1' 'law = "luding"' '[parameters]' 'k_1_N_per_m = 1e4' 'k_2_N_per_m = 5e4' 'phi_f = 0.1' >springs.toml
+answers 2 'luding' "$platen" export lammps hertz.toml springs.toml --radius 1e-4 --density 636
 answers 0 'timestep' "$platen" export lammps "${hertz_card[@]}" --radius 1e-4 --density 636
 answers 0 'pair_coeff 1 2' "$platen" export lammps hertz.toml hertz.toml --delta-bar 0.01 --radius 1e-4 --density 636
 platen_card() { printf 'platen = 1\nname = "s"\nmodel = "elastic"\n[parameters]\nE_Pa = 1e9\nnu = 0.3\n%s\n' "$1"; }
 platen_card 'density_kg_per_m3 = 636' > heavy.toml
 platen_card '' > weightless.toml
-answers 0 'and 636 kg/m^3' "$platen" export lammps "${hertz_card[@]}" --radius 1e-4 --material heavy.toml
+answers 0 ' 636 kg/m^3' "$platen" export lammps "${hertz_card[@]}" --radius 1e-4 --material heavy.toml
 answers 2 'no density_kg_per_m3' "$platen" export lammps "${hertz_card[@]}" --radius 1e-4 --material weightless.toml
 answers 2 'positive number of kg/m^3' "$platen" export lammps "${hertz_card[@]}" --radius 1e-4
 answers 2 'positive number of metres' "$platen" export lammps "${hertz_card[@]}" --radius -1 --density 636
+both=(hertz.toml hertz.toml)
+answers 0 'with type 1' "$platen" export lammps "${both[@]}" --radius 1e-4 2e-4 --density 636 1500
+answers 2 'once for each' "$platen" export lammps "${both[@]}" hertz.toml --radius 1e-4 2e-4 --density 636
 answers 2 'there is no such file' "$platen" export lammps missing.toml --radius 1e-4 --density 636
 answers 2 'a table rises' "$platen" export table "${hertz[@]}" --overlap 2e-6:1e-6:3
 answers 2 'above 0' "$platen" export table "${hertz[@]}" --overlap 0:1e-6:3
