@@ -9,6 +9,7 @@
 #include "plot/compare_picture.hpp"
 #include "plot/gnuplot.hpp"
 #include "press/curve_csv.hpp"
+#include "press/yield_watch.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -76,6 +77,8 @@ law::ParameterTexts texts_of(const material::Material& m) {
     texts["sigma_y_Pa"] = sigma_c->second;
   texts["E_Pa"] = core::number_text(material::initial_E(m.model));
   texts["nu"] = core::number_text(material::initial_nu(m.model));
+  if (const auto [phi_deg, sigma_c] = press::drucker_prager_strength(m.model); sigma_c > 0)
+    texts["phi_deg"] = core::number_text(phi_deg), texts["sigma_c_Pa"] = core::number_text(sigma_c);
   return texts;
 }
 
@@ -137,6 +140,10 @@ std::vector<fit::Trace> traces_of(const Options& o, const fit::Reference& refere
   if (first.E_Pa > 0) {
     shared["E_Pa"] = core::number_text(first.E_Pa);
     shared["nu"] = core::number_text(first.nu);
+  }
+  if (first.sigma_c_Pa > 0) {
+    shared["phi_deg"] = core::number_text(first.phi_deg);
+    shared["sigma_c_Pa"] = core::number_text(first.sigma_c_Pa);
   }
   if (!o.material.empty())
     for (const auto& [key, text] : texts_of(material::read_card(o.material).material)) shared[key] = text;

@@ -45,13 +45,19 @@ void compare_picture(const fit::Reference& reference, const std::vector<fit::Tra
   for (std::size_t k = 0; k < traces.size(); ++k) {
     const auto& t = traces[k];
     const auto F = [&](std::size_t i) { return t.force[i] / unit.in_SI; };
-    const auto ratio = [&](std::size_t i) { return t.force[i] / reference.trace.force[i]; };
-    const auto inside = [&](std::size_t i) { return static_cast<bool>(t.in_range[i]); };
-    const auto outside = [&](std::size_t i) { return !t.in_range[i]; };
-    script += block(fmt::format("F{}", k), reference, F, inside) +
-              block(fmt::format("o{}", k), reference, F, outside) +
-              block(fmt::format("r{}", k), reference, ratio, inside) +
-              block(fmt::format("q{}", k), reference, ratio, outside);
+    const auto of_force = [&](std::size_t i) { return t.force[i] / reference.trace.force[i]; };
+    const auto of_radius = [&](std::size_t i) { return t.radius[i] / reference.trace.radius[i]; };
+    const auto of_pressure = [&](std::size_t i) { return of_force(i) / (of_radius(i) * of_radius(i)); };
+    const auto both = [&](const char* name, const auto& value) {
+      script += block(fmt::format("{}{}", name, k), reference, value,
+                      [&](std::size_t i) { return static_cast<bool>(t.in_range[i]); }) +
+                block(fmt::format("{}out{}", name, k), reference, value,
+                      [&](std::size_t i) { return !t.in_range[i]; });
+    };
+    both("F", F);
+    both("force", of_force);
+    both("radius", of_radius);
+    both("pressure", of_pressure);
   }
   script += fmt::format(
       "set border 3 lc rgb '{0}'\nset tics nomirror out scale 0.5 tc rgb '{0}'\nset grid lc rgb '#e3e7eb' lt "
@@ -64,28 +70,34 @@ void compare_picture(const fit::Reference& reference, const std::vector<fit::Tra
       "set ylabel 'force F ({5})' tc rgb '{0}'\n",
       ink, gnuplot_string(title), x_max * 1.02, 1.5 * F_max / unit.in_SI, tick(x_max, 8), unit.name);
   const auto width = [&](std::size_t k) { return k < colours.size() ? 1.8 : 3; };
-  const auto lines = [&](const char* inside, const char* outside) {
+  const auto lines = [&](const char* name) {
     std::string text;
     for (std::size_t k = 0; k < traces.size(); ++k)
       text += fmt::format(
-          ", ${0}{2} with lines lw {3} lc rgb '{5}', ${1}{2} with lines lw {4} dt (5,4) lc rgb '{5}'", inside,
-          outside, k, width(k), 0.7 * width(k), colours[k % colours.size()]);
+          ", ${0}{1} with lines lw {2} lc rgb '{4}', ${0}out{1} with lines lw {3} dt (5,4) lc rgb '{4}'",
+          name, k, width(k), 0.7 * width(k), colours[k % colours.size()]);
     return text + "\n";
   };
-  script += "plot $reference with lines lw 4 lc rgb 'black'" + lines("F", "o");
+  script += "plot $reference with lines lw 4 lc rgb 'black'" + lines("F");
   script +=
       fmt::format("unset title\nset tmargin at screen 0.36\nset bmargin at screen 0.085\n"
-                  "set logscale x\nset xrange [{}:{}]\nset xtics auto\nset format x '10^{{%L}}'\nset yrange "
-                  "[0:2]\nset ytics 0.5\n"
-                  "set xlabel 'overlap  δ/R' tc rgb '{}'\nset ylabel 'F / F_{{reference}}' tc rgb '{}'\n"
-                  "plot 1 with lines lw 2.5 lc rgb 'black'",
-                  std::max(1e-4, reference.delta.front() / reference.radius_m), x_max * 1.02, ink, ink);
-  script += lines("r", "q");
+                  "set logscale x\nset xrange [{}:{}]\nset xtics auto\nset format x '10^{{%L}}'\n"
+                  "set yrange [0:2]\nset ytics 0.5\nset xlabel 'overlap  δ/R' tc rgb '{}'\n",
+                  std::max(1e-3 * x_max, reference.delta.front() / reference.radius_m), x_max * 1.02, ink);
+  const std::array<std::array<const char*, 2>, 3> ratios = {{{"force", "force  F / F_{reference}"},
+                                                             {"radius", "radius  a / a_{reference}"},
+                                                             {"pressure", "pressure  p / p_{reference}"}}};
+  for (std::size_t i = 0; i < ratios.size(); ++i) {
+    const double left = 0.095 + 0.32 * static_cast<double>(i);
+    script += fmt::format("set lmargin at screen {}\nset rmargin at screen {}\nset ylabel '{}' tc rgb '{}'\n"
+                          "plot 1 with lines lw 2.5 lc rgb 'black'{}",
+                          left, left + 0.225, ratios[i][1], ink, lines(ratios[i][0]));
+  }
   // The key is a plot of its own: beside the upper one it would have room for seven names.
   script +=
       fmt::format("unset logscale\nunset border\nunset tics\nunset xlabel\nunset ylabel\nset xrange [0:1]\n"
                   "set yrange [0:1]\nset lmargin at screen 0.69\nset rmargin at screen 1\n"
-                  "set tmargin at screen 0.95\nset bmargin at screen 0.02\nset key left top Left reverse "
+                  "set tmargin at screen 0.95\nset bmargin at screen 0.42\nset key left top Left reverse "
                   "noenhanced samplen 2 spacing 1.25 tc rgb '{}'\n"
                   "plot NaN with lines lw 4 lc rgb 'black' title {}",
                   ink, gnuplot_string(reference.trace.name));

@@ -10,8 +10,8 @@
 namespace platen::plot {
 
 /// Above, force over overlap: the reference thick, others thin, dashed where a law is outside its validity.
-/// Below, the ratio of each force to that of the reference, both axes logarithmic in overlap. SVG or PNG by
-/// file ending. Throws InvalidInput, IoError.
+/// Below, force, contact radius and mean pressure over those of the reference, logarithmic in overlap;
+/// nothing where the reference has no radius. SVG or PNG by file ending. Throws InvalidInput, IoError.
 void compare_picture(const fit::Reference&, const std::vector<fit::Trace>&, const std::string& title,
                      const std::filesystem::path&);
 

@@ -295,6 +295,7 @@ answers 0 '"law": "mdr/published"' "$platen" compare measured.csv mdr/published 
 answers 0 'at 2: 20 of 30 points' "$platen" compare measured.csv thornton-ning,p_y_Pa=2e7,label='at 2' "${elastic[@]}" \
   --ranges 0.01,0.02 -o compare.svg --table table.md
 has compare.svg
+answers 0 'wang' "$platen" compare measured.csv wang --material wang-type-1 --radius_m 1e-3
 answers 0 '0.01 < δ/R ≤ 0.02' cat table.md
 answers 2 'needs a curve' "$platen" compare hertz mdr
 answers 2 'needs a law' "$platen" compare measured.csv --radius_m 1e-3
