@@ -215,15 +215,21 @@ TEST(JacksonGreen, FollowsItsEquations) {
   }
 }
 
-TEST(JacksonGreen, YieldsAtThePressureOfVonMises) { // C sigma_y: 1.60-1.62 sigma_y for nu = 0.3
-  EXPECT_NEAR(1.295 * std::exp(0.736 * 0.3), 1.61, 0.01);
+TEST(JacksonGreen, YieldsAtThePressureOfVonMises) {
+  for (const auto& [poissons_ratio, p_y] :
+       {std::pair{0.25, 1.56}, {0.3, 1.61}, {0.4, 1.74}}) { // Johnson; Chang et al.
+    const auto law = prepare_on_rigid_plane(JacksonGreenMaterial{200e9, poissons_ratio, 0.2e9}, R);
+    EXPECT_NEAR(1.5 * law.F_c / (pi * law.a_c * law.a_c), p_y * 0.2e9, 0.01 * p_y * 0.2e9) << poissons_ratio;
+  }
   const auto law = prepare_on_rigid_plane(ball, R);
   const double a = law.a_c, p0 = 1.5 * law.F_c / (pi * a * a);
   EXPECT_NEAR(p0, 1.295 * std::exp(0.736 * 0.32) * 0.2e9, 1e-9 * p0);
 }
 
 TEST(JacksonGreen, PublishedJumpsAsSaidAndJoinedDoesNot) {
-  for (const auto& [poissons_ratio, jump] : {std::pair{0.0, 0.075}, {0.3, 0.005}, {0.49, 0.0}}) {
+  // the joint is at 1.9 in the paper; where the two formulas really meet goes with Poisson's ratio
+  for (const auto& [poissons_ratio, jump, joint] :
+       {std::tuple{0.0, 0.075, 4.136}, {0.3, 0.005, 2.006}, {0.49, 0.0, 1.287}}) {
     JacksonGreenMaterial m{200e9, poissons_ratio, 0.2e9, JointVariant::published};
     const auto law = prepare_on_rigid_plane(m, R);
     const double at = 1.9 * law.gamma_c;
@@ -231,7 +237,7 @@ TEST(JacksonGreen, PublishedJumpsAsSaidAndJoinedDoesNot) {
     m.variant = JointVariant::joined;
     const auto joined = prepare_on_rigid_plane(m, R);
     is_continuous_at(joined, joined.gamma_elastic, 1e-7);
-    EXPECT_NEAR(joined.gamma_elastic / joined.gamma_c, 2.7, 1.5); // 1.9 in the paper
+    EXPECT_NEAR(joined.gamma_elastic / joined.gamma_c, joint, 1e-3);
   }
 }
 
