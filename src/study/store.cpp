@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <random>
@@ -115,9 +116,11 @@ void Store::open_for_writing(OldRuns old) {
 }
 
 std::string Store::key(const press::Case& c) const {
+  auto own = key_of(c);
+  if (engines_.size() == 1 || state(own) != State::missing) return own;
   for (const int engine : engines_)
-    if (const auto key = key_of(c, engine); state(key) != State::missing) return key;
-  return key_of(c);
+    if (auto key = key_of(c, engine); state(key) != State::missing) return key;
+  return own;
 }
 
 /// Claims of the dead, and unfinished runs that nobody has claimed.
@@ -207,6 +210,7 @@ void Store::keep(const std::string& key, const press::Case& c, const press::Resu
   const std::array contents = {press::case_text(c), identity_of(c), press::curve_csv(result.curve),
                                press::summary_json(c, result),
                                fmt::format("{:.3f} {:.3f}\n", cost.cpu_s, cost.wall_s)};
+  bool published = false;
   try {
     std::string sums;
     const auto add = [&](const std::string& name, const std::string& content) {
@@ -218,11 +222,13 @@ void Store::keep(const std::string& key, const press::Case& c, const press::Resu
     if (result.failure) add("failure.txt", *result.failure + "\n");
     core::write_through(folder / "sums.txt", sums);
     core::sync_folder(folder);
-    if (publish(folder, key)) core::sync_folder(folder_ / "runs");
+    published = publish(folder, key);
+    if (published) core::sync_folder(folder_ / "runs");
     else fs::remove_all(folder, error);
   } catch (const std::exception& problem) {
     fs::remove_all(folder, error);
-    if (state(key) != State::missing) return; // another worker was faster, and swept up after this one
+    if (!published && state(key) != State::missing)
+      return; // another worker was faster, and swept up after this one
     throw core::IoError(problem.what());
   }
 }
@@ -248,7 +254,10 @@ std::string Store::forget_damaged(const std::string& key) {
 
 Store::Cost Store::cost(const std::string& key) const {
   Cost cost;
-  std::ifstream(run(key) / "cost.txt") >> cost.cpu_s >> cost.wall_s;
+  if (std::FILE* file = std::fopen((run(key) / "cost.txt").c_str(), "r")) {
+    if (std::fscanf(file, "%lf %lf", &cost.cpu_s, &cost.wall_s) != 2) cost = {};
+    std::fclose(file);
+  }
   return cost;
 }
 

@@ -84,13 +84,15 @@ same early
 
 # --- who cannot look up a process sees by its standing count that it is dead, and waits while it counts ---
 if [ ${#apart[@]} -gt 0 ]; then
-  "${apart[@]}" --kill-child "$worker" study.toml apart 1 100000 apart.log 20 400 &
+  "${apart[@]}" --kill-child "$worker" study.toml apart 1 100000 apart.log 20 2000 &
   victim=$!
   until [ -n "$(ls apart/claims 2>/dev/null)" ]; do sleep 0.01; done
-  "$worker" study.toml apart 1 0 apart.log 20 400 &
+  "$worker" study.toml apart 1 0 apart.log 20 2000 &
   waiting=$!
-  sleep 1
-  [ "$(ls apart/runs | grep -vc '^\.')" = 59 ] && kill -0 $waiting || fails "a claim that counts was not waited for"
+  there() { find apart/runs -maxdepth 1 -name '[!.]*' | tail -n +2 | wc -l; }
+  until [ "$(there)" -ge 59 ]; do sleep 0.05; done
+  sleep 2.5
+  [ "$(there)" = 59 ] && kill -0 $waiting || fails "a claim that counts was not waited for"
   kill -KILL $victim
   wait $victim 2>/dev/null
   wait $waiting || fails "a claim whose count stands still is not taken over"
@@ -137,7 +139,8 @@ cmp <(cd one/runs && find . -type f -exec sha256sum {} + | sort) <(cd two/runs &
 
 # --- any write fails: a sentence, exit code 4; the store can be read, and the study goes on ---
 study 2 1 1 >study.toml
-"$worker" study.toml whole2 1 0 log && mv whole2 whole && exported whole
+rm -r whole
+"$worker" study.toml whole 1 0 log && exported whole
 ill() { LD_PRELOAD=$misfortune MISFORTUNE_FOLDER=$folder/ill "$@"; }
 MISFORTUNE_COUNT=$folder/count ill "$worker" study.toml "$folder/ill" 1 0 log
 rm -r ill
