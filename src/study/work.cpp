@@ -64,13 +64,30 @@ std::vector<Task> pass(std::vector<Task> tasks, Store& store, const Press& press
   return left;
 }
 
+std::vector<Task> tasks_of(const Study& study, const Store& store) {
+  std::vector<Task> tasks;
+  for (const auto& run : study.runs) tasks.push_back({&run, store.key(run.press_case)});
+  return tasks;
+}
+
+void press_all(std::vector<Task> tasks, Store& store, const Press& press) {
+  // Each worker begins elsewhere: so they seldom want the same run.
+  if (!tasks.empty())
+    std::rotate(tasks.begin(), tasks.begin() + std::random_device()() % tasks.size(), tasks.end());
+  for (auto pause = std::chrono::milliseconds(50);; pause = std::min(2 * pause, longest_pause)) {
+    tasks = pass(std::move(tasks), store, press);
+    if (tasks.empty()) return;
+    std::this_thread::sleep_for(pause); // who has claimed the rest may die
+  }
+}
+
 /// In a child process; its exit code, as the program's.
-int worker(const Study& study, Store& store, const Press& press, pid_t parent) {
+int worker(const std::vector<Task>& tasks, Store& store, const Press& press, pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGTERM); // nobody presses on unseen when the program was killed
   if (::getppid() != parent) return 130;
   (void)!::nice(10); // the machine may be somebody else's as well
   try {
-    work(study, store, press);
+    press_all(tasks, store, press);
     return 0;
   } catch (const core::Interrupted&) { return 130; } catch (const std::exception& error) {
     core::say(fmt::format("platen: {}\n", error.what()));
@@ -111,26 +128,18 @@ void forget_damaged(const Study& study, Store& store) {
 }
 
 void work(const Study& study, Store& store, const Press& press) {
-  std::vector<Task> tasks;
-  for (const auto& run : study.runs) tasks.push_back({&run, store.key(run.press_case)});
-  // Each worker begins elsewhere: so they seldom want the same run.
-  if (!tasks.empty())
-    std::rotate(tasks.begin(), tasks.begin() + std::random_device()() % tasks.size(), tasks.end());
-  for (auto pause = std::chrono::milliseconds(50);; pause = std::min(2 * pause, longest_pause)) {
-    tasks = pass(std::move(tasks), store, press);
-    if (tasks.empty()) return;
-    std::this_thread::sleep_for(pause); // who has claimed the rest may die
-  }
+  press_all(tasks_of(study, store), store, press);
 }
 
 void work(const Study& study, Store& store, int workers, const std::function<void(const Tally&)>& show,
           const Press& press) {
   std::fflush(nullptr); // or each child would print it again
   const pid_t self = ::getpid();
+  const auto tasks = tasks_of(study, store);
   std::vector<pid_t> children;
   for (int i = 0; i < workers; ++i) {
     const pid_t child = ::fork();
-    if (child == 0) std::_Exit(worker(study, store, press, self));
+    if (child == 0) std::_Exit(worker(tasks, store, press, self));
     if (child > 0) children.push_back(child);
   }
   if (children.empty()) throw core::IoError("no worker process could be started");
