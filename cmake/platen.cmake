@@ -12,6 +12,9 @@ if(PLATEN_SANITIZE)
                                                 -fno-omit-frame-pointer)
   target_link_options(platen_flags INTERFACE -fsanitize=address,undefined)
 endif()
+if(PLATEN_FUZZ)
+  target_compile_options(platen_flags INTERFACE -fsanitize=fuzzer-no-link)
+endif()
 
 # platen_precompiled(NAME LIBRARY HEADERS...): headers compiled once, for other targets to REUSE_FROM. This saves time and
 # nothing else: every file still includes what it uses, and compiles with CMAKE_DISABLE_PRECOMPILE_HEADERS=ON. They have a

@@ -49,27 +49,21 @@ void print_tally(const study::Tally& t, const study::Store& store) {
   }
 }
 
-std::vector<std::string> failures(const study::Study& s, const study::Store& store) {
-  std::vector<std::string> keys;
-  for (const auto& run : s.runs)
-    if (auto key = store.key(run.press_case); store.state(key) == study::Store::State::failed)
-      keys.push_back(std::move(key));
-  return keys;
-}
-
 void status(const Options& o) {
   const auto s = study::read_study(o.card);
   const auto store = store_of(s, o);
-  print_tally(study::tally(s, store), store);
-  for (const auto& key : failures(s, store)) fmt::print("failed {}: {}\n", key, store.failure(key));
+  const auto t = study::tally(s, store);
+  print_tally(t, store);
+  for (const auto& key : t.failures) fmt::print("failed {}: {}\n", key, store.failure(key));
 }
 
 void run(const Options& o) {
   const auto s = study::read_study(o.card);
   auto store = store_of(s, o);
   store.open_for_writing(o.old());
+  study::forget_damaged(s, store);
   if (o.retry_failed)
-    for (const auto& key : failures(s, store)) store.forget(key);
+    for (const auto& key : study::tally(s, store).failures) store.forget(key);
   {
     core::Progress progress("study " + s.name);
     study::work(s, store, o.workers, [&](const study::Tally& t) {
@@ -84,7 +78,7 @@ void run(const Options& o) {
         fmt::format(
             "every press of the study failed, the first with: {}; change the case or the factors of {} "
             "(a finer or coarser mesh, a shorter path, a material that can be pressed)",
-            store.failure(failures(s, store).front()), o.card),
+            store.failure(t.failures.front()), o.card),
         0, 0, 0);
   if (t.failed > 0)
     core::say(
@@ -98,12 +92,26 @@ bool is_sqlite(const std::string& file) { return file.ends_with(".sqlite") || fi
 void export_table(const Options& o) {
   const auto s = study::read_study(o.card);
   const auto store = store_of(s, o);
-  if (study::tally(s, store).done == 0)
+  const auto found = study::find_runs(s, store);
+  const auto count = [&](study::Store::State state) {
+    return std::count_if(found.begin(), found.end(), [&](const auto& run) { return run.state == state; });
+  };
+  if (count(study::Store::State::done) == 0)
     core::say(fmt::format("note: no run of the study is done in {}\n", store.folder().string()));
-  const auto runs = study::runs_sheet(s, store, o.variant);
-  if (is_sqlite(o.output)) study::write_sqlite(o.output, {runs, study::curves_sheet(s, store, o.step)});
+  const auto runs = study::runs_sheet(s, store, found, o.variant);
+  const auto curves = [&] { return study::curves_sheet(s, store, found, o.step); };
+  if (is_sqlite(o.output)) study::write_sqlite(o.output, {runs, curves()});
   else core::write_file(o.output, study::csv_text(runs));
-  if (!o.curves.empty()) core::write_file(o.curves, study::csv_text(study::curves_sheet(s, store, o.step)));
+  if (!o.curves.empty()) core::write_file(o.curves, study::csv_text(curves()));
+  if (const auto damaged = count(study::Store::State::damaged); damaged > 0) {
+    const auto first = std::find_if(found.begin(), found.end(), [](const auto& run) {
+      return run.state == study::Store::State::damaged;
+    });
+    throw core::IoError(
+        fmt::format("{} of {} runs are damaged and without numbers in the tables, the first: {}; "
+                    "`platen study run` presses them again",
+                    damaged, found.size(), store.damage(first->key)));
+  }
 }
 
 void merge(const Options& o) {
@@ -111,8 +119,9 @@ void merge(const Options& o) {
   auto store = store_of(s, o);
   std::vector<study::Store> others;
   for (const auto& other : o.others) others.emplace_back(other, s.name);
-  const int copied = store.merge(others, o.old());
-  fmt::print("{} runs copied to {}\n", copied, store.folder().string());
+  const auto merged = store.merge(others, o.old());
+  for (const auto& what : merged.damaged) core::say(fmt::format("note: {}; the run was left out\n", what));
+  fmt::print("{} runs copied to {}\n", merged.copied, store.folder().string());
 }
 
 void submit(const Options& o) {

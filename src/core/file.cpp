@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -27,6 +28,30 @@ using File = std::unique_ptr<std::FILE, Close>;
                   full ? "; free some space, or name another place; files written before are whole" : ""));
 }
 
+/// The error, 0 for none. Some file systems, and what is no file, have nothing to bring to a disk.
+int sync(int file) {
+  if (::fsync(file) == 0 || errno == EINVAL || errno == ENOTSUP || errno == EROFS) return 0;
+  return errno;
+}
+
+/// `named`: as messages call the file.
+void write(const fs::path& path, std::string_view content, const fs::path& named) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) fail("cannot be written", named, errno);
+  int error = 0;
+  while (!content.empty() && error == 0) {
+    const auto count = ::write(file, content.data(), content.size());
+    if (count > 0) content.remove_prefix(static_cast<std::size_t>(count));
+    else if (count == 0) error = EIO;
+    else if (errno != EINTR) error = errno;
+  }
+  if (error == 0) error = sync(file); // a full disk or a server's quota may show itself only here
+  if (::close(file) != 0 && error == 0) error = errno;
+  if (error == 0) return;
+  ::unlink(path.c_str());
+  fail("cannot be written", named, error);
+}
+
 } // namespace
 
 std::string read_file(const fs::path& path) {
@@ -46,23 +71,30 @@ fs::path temporary_name(const fs::path& file) {
          fmt::format(".{}.{}{}", file.stem().string(), ::getpid(), file.extension().string());
 }
 
+void write_through(const fs::path& path, std::string_view content) { write(path, content, path); }
+
+void sync_folder(const fs::path& path) {
+  const fs::path folder = path.empty() ? "." : path;
+  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (file < 0) fail("cannot be read", folder, errno);
+  const int error = sync(file);
+  ::close(file);
+  if (error != 0) fail("cannot be written", folder, error);
+}
+
 void put_in_place(const fs::path& temporary, const fs::path& file) {
   std::error_code error;
   fs::rename(temporary, file, error);
-  if (error) fail("cannot be written", file, error.value());
+  if (error) {
+    ::unlink(temporary.c_str());
+    fail("cannot be written", file, error.value());
+  }
+  sync_folder(file.parent_path());
 }
 
 void write_file(const fs::path& path, std::string_view content) {
   const fs::path temporary = temporary_name(path);
-  File file(std::fopen(temporary.c_str(), "wb"));
-  if (!file) fail("cannot be written", path, errno);
-  const bool written = std::fwrite(content.data(), 1, content.size(), file.get()) == content.size();
-  const bool closed = std::fclose(file.release()) == 0; // a full disk may show itself only here
-  if (!written || !closed) {
-    const int error = errno;
-    ::unlink(temporary.c_str());
-    fail("cannot be written", path, error);
-  }
+  write(temporary, content, path);
   put_in_place(temporary, path);
 }
 

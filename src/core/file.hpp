@@ -1,5 +1,6 @@
 #pragma once
-// Files that are either whole or not there: written under a temporary name, then renamed.
+// Files that are either whole or not there: written under a temporary name, brought to the disk, then
+// renamed; so also after a loss of power.
 
 #include <filesystem>
 #include <string>
@@ -12,6 +13,12 @@ std::string read_file(const std::filesystem::path&);
 
 /// A name beside `file` under which it is written until it is whole; no other process uses the same.
 std::filesystem::path temporary_name(const std::filesystem::path& file);
+
+/// Writes a file under the very name, and ends when it is on the disk. IoError removes it.
+void write_through(const std::filesystem::path&, std::string_view content);
+
+/// Ends when the names in the folder are on the disk: new, renamed and removed ones.
+void sync_folder(const std::filesystem::path&);
 
 /// Renames a file written under temporary_name(file). IoError when that fails.
 void put_in_place(const std::filesystem::path& temporary, const std::filesystem::path& file);

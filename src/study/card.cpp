@@ -273,6 +273,13 @@ std::vector<Point> read_points(const Table& card, const Design& design, const st
     return rows_of(read_table(card, table, design.file), factors,
                    only ? words(*only) : std::map<std::string, std::string>{});
   }
+  double combinations = 1;
+  for (const auto& factor : factors) combinations *= static_cast<double>(factor.values.size());
+  constexpr double most = 1e6;
+  if (combinations > most)
+    throw core::InvalidInput(
+        fmt::format("{}: the factors have {:.3g} combinations; a study may have {:.0f} runs",
+                    place(card, "factors"), combinations, most));
   return factorial(factors);
 }
 

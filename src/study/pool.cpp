@@ -165,13 +165,13 @@ std::vector<Comparison> recompute(const Pool& pool, const std::vector<std::size_
   Store store(scratch.path(), again.name);
   store.open_for_writing(OldRuns::ask);
   work(again, store, workers, show);
-  const auto curves = curves_of(core::parse_csv(csv_text(curves_sheet(again, store, pool.step)), "curves"),
-                                again.runs.size());
+  const auto found = find_runs(again, store);
+  const auto curves = curves_of(
+      core::parse_csv(csv_text(curves_sheet(again, store, found, pool.step)), "curves"), again.runs.size());
   std::vector<Comparison> comparisons;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const auto key = store.key(again.runs[i].press_case);
-    const bool failed = store.state(key) == Store::State::failed,
-               pool_failed = pool.states[runs[i]] == "failed";
+    const auto& [key, state] = found[i];
+    const bool failed = state == Store::State::failed, pool_failed = pool.states[runs[i]] == "failed";
     if (failed == pool_failed && failed) comparisons.push_back({runs[i], 0.0, {}});
     else if (failed) comparisons.push_back({runs[i], {}, "the press failed: " + store.failure(key)});
     else if (pool_failed && whole[i])

@@ -10,41 +10,38 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <chrono>
-#include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
-#include <sstream>
+#include <random>
 
 namespace platen::study {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string host() {
-  std::array<char, 256> name{};
-  ::gethostname(name.data(), name.size() - 1);
-  return name.data();
+/// Marks what this process writes: like no other on any host.
+const std::string& token() {
+  static pid_t owner = 0;
+  static std::string text;
+  if (owner != ::getpid()) { // also after a fork
+    std::random_device random;
+    text = fmt::format("{:08x}{:08x}", random(), random());
+    owner = ::getpid();
+  }
+  return text;
 }
 
-/// When the process began, in ticks: tells it from a later one of the same number. Empty: there is none.
-std::string birth(long process) {
-  std::ifstream file(fmt::format("/proc/{}/stat", process));
-  std::string line;
-  if (!std::getline(file, line)) return {};
-  std::istringstream rest(line.substr(line.rfind(')') + 1)); // field 3 on; proc(5): the start is field 22
-  std::string field;
-  for (int i = 3; i <= 22; ++i) {
-    rest >> field;
-    if (i == 3 && (field == "Z" || field == "X")) return {}; // killed, and nobody has collected it
-  }
-  return field;
+/// What every run has, in the order of sums.txt. A failed one has failure.txt too.
+constexpr std::array run_files = {"case.toml", "identity.txt", "curve.csv", "summary.json", "cost.txt"};
+
+/// A line as sha256sum writes and checks it.
+std::string sum_line(const std::string& name, std::string_view content) {
+  return fmt::format("{}  {}\n", core::sha256(content), name);
 }
 
 /// study.txt: "ENGINE STUDY", then "keep ENGINE" for each other engine whose runs count.
@@ -64,44 +61,14 @@ Head read_head(const fs::path& store) {
   return head;
 }
 
-constexpr auto silence = std::chrono::minutes(15);
-
-bool old(const fs::path& path) {
-  std::error_code error;
-  const auto written = fs::last_write_time(path, error);
-  return !error && fs::file_time_type::clock::now() - written > silence;
-}
-
-bool stale(const fs::path& claim) {
-  std::ifstream file(claim);
-  std::string where, began;
-  long process = 0;
-  const bool readable = static_cast<bool>(file >> where >> process >> began);
-  if (readable && where == host()) return birth(process) != began;
-  return old(claim); // not so where it was given back meanwhile
-}
-
-/// False when somebody else has it. link(2) is exclusive as O_EXCL is, and the claim is never there without
-/// its words.
-bool make(const fs::path& claim) {
-  const fs::path own = claim.parent_path() / fmt::format(".{}-{}", host(), ::getpid());
-  core::write_file(own, fmt::format("{} {} {}\n", host(), ::getpid(), birth(::getpid())));
-  const bool made = ::link(own.c_str(), claim.c_str()) == 0;
+/// Everything written to the file system of the folder so far is on its disk.
+void sync_all(const fs::path& folder) {
+  const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const bool synced = file >= 0 && ::syncfs(file) == 0;
   const int error = errno;
-  ::unlink(own.c_str());
-  if (!made && error != EEXIST)
-    throw core::IoError(fmt::format("{} cannot be made: {}", claim.string(), std::strerror(error)));
-  return made;
-}
-
-/// Removes a stale claim. One at a time: between looking and removing, another worker might make a new one.
-void remove_if_stale(const fs::path& claim) {
-  const fs::path lock = claim.parent_path() / ".lock";
-  const int file = ::open(lock.c_str(), O_RDWR | O_CREAT, 0644);
-  if (file < 0)
-    throw core::IoError(fmt::format("{} cannot be made: {}", lock.string(), std::strerror(errno)));
-  if (::flock(file, LOCK_EX) == 0 && stale(claim)) ::unlink(claim.c_str());
-  ::close(file); // gives the lock back
+  if (file >= 0) ::close(file);
+  if (!synced)
+    throw core::IoError(fmt::format("{}: cannot be written: {}", folder.string(), std::strerror(error)));
 }
 
 } // namespace
@@ -115,22 +82,9 @@ std::string key_of(const press::Case& c, int engine) {
   return core::sha256(identity_of(c, engine)).substr(0, 32);
 }
 
-Claim::~Claim() {
-  if (file_.empty()) return;
-  // After a long sleep another worker may have taken it over: that claim stays.
-  std::ifstream file(file_);
-  std::string where;
-  long process = 0;
-  if (file >> where >> process && where == host() && process == ::getpid()) ::unlink(file_.c_str());
-}
-
-void Claim::refresh() const {
-  std::error_code error;
-  fs::last_write_time(file_, fs::file_time_type::clock::now(), error);
-}
-
-Store::Store(fs::path folder, std::string study)
-    : folder_(std::move(folder)), study_(std::move(study)), engines_{core::engine} {
+Store::Store(fs::path folder, std::string study, Pace pace)
+    : folder_(std::move(folder)), study_(std::move(study)), engines_{core::engine},
+      claims_(folder_ / "claims", pace) {
   const Head head = read_head(folder_);
   if (head.engine == 0) return;
   if (head.study != study_)
@@ -162,34 +116,28 @@ void Store::open_for_writing(OldRuns old) {
 }
 
 std::string Store::key(const press::Case& c) const {
+  auto own = key_of(c);
+  if (engines_.size() == 1 || state(own) != State::missing) return own;
   for (const int engine : engines_)
-    if (const auto key = key_of(c, engine); state(key) != State::missing) return key;
-  return key_of(c);
+    if (auto key = key_of(c, engine); state(key) != State::missing) return key;
+  return own;
 }
 
-/// Unfinished runs of dead processes, and claims of dead workers. Workers on other hosts that were silent for
-/// a quarter of an hour count as dead.
-void Store::sweep() const {
-  std::error_code error;
+/// Claims of the dead, and unfinished runs that nobody has claimed.
+void Store::sweep() {
+  for (const auto& entry : fs::directory_iterator(folder_ / "claims"))
+    if (const std::string name = entry.path().filename().string(); !name.starts_with('.'))
+      (void)claims_.take(name);
   for (const auto& entry : fs::directory_iterator(folder_ / "runs")) {
-    const std::string name = entry.path().filename().string(); // .KEY-HOST-PROCESS
-    const auto first = name.find('-'), last = name.rfind('-');
-    if (!name.starts_with('.') || first == last) continue;
-    const auto process = core::number_from(name.substr(last + 1));
-    const bool dead = name.substr(first + 1, last - first - 1) == host()
-                          ? process && birth(static_cast<long>(*process)).empty()
-                          : old(entry.path());
-    if (dead) fs::remove_all(entry.path(), error);
-  }
-  for (const auto& entry : fs::directory_iterator(folder_ / "claims")) {
-    if (entry.path().filename().string().starts_with('.')) {
-      if (entry.path().filename() != ".lock" && old(entry.path())) fs::remove(entry.path(), error);
-    } else if (stale(entry.path())) remove_if_stale(entry.path());
+    const std::string name = entry.path().filename().string(); // .KEY-TOKEN
+    std::error_code error;
+    if (name.starts_with('.') && !claims_.has(name.substr(1, name.find('-') - 1)))
+      fs::remove_all(entry.path(), error);
   }
 }
 
 fs::path Store::temporary(const std::string& key) const {
-  return folder_ / "runs" / fmt::format(".{}-{}-{}", key, host(), ::getpid());
+  return folder_ / "runs" / fmt::format(".{}-{}", key, token());
 }
 
 Store::State Store::state(const std::string& key) const {
@@ -197,65 +145,119 @@ Store::State Store::state(const std::string& key) const {
   return fs::exists(run(key) / "failure.txt") ? State::failed : State::done;
 }
 
-std::optional<Claim> Store::claim(const std::string& key) const {
-  const fs::path file = folder_ / "claims" / key;
-  for (int attempt = 0; attempt < 2; ++attempt) {
-    if (make(file)) {
-      Claim mine(file);
-      // It may have been finished between the caller's look and now.
-      if (state(key) != State::missing) return {};
-      return mine;
+Store::State Store::verified(const std::string& key) const {
+  const State there = state(key);
+  return there == State::missing || damage(key).empty() ? there : State::damaged;
+}
+
+std::string Store::damage(const std::string& key) const {
+  const fs::path folder = run(key);
+  const bool failed = state(key) == State::failed;
+  const auto is_wrong = [&](std::string_view name, std::string_view what) {
+    return fmt::format("{}: {}", (folder / name).string(), what);
+  };
+  const bool summed =
+      fs::exists(folder / "sums.txt"); // older programs wrote none, and at first no identity.txt
+  std::vector<std::string> names(run_files.begin(), run_files.end());
+  if (failed) names.emplace_back("failure.txt");
+  std::string sums;
+  for (const auto& name : names) {
+    if (!fs::exists(folder / name)) {
+      if (!summed && name == "identity.txt") continue;
+      return is_wrong(name, "is missing");
     }
-    if (stale(file)) remove_if_stale(file);
+    const std::string content = core::read_file(folder / name);
+    if (!content.ends_with('\n')) return is_wrong(name, "has no end");
+    if (name == "identity.txt" && core::sha256(content).substr(0, 32) != key)
+      return is_wrong(name, "is that of another run");
+    sums += sum_line(name, content);
   }
+  if (summed)
+    return core::read_file(folder / "sums.txt") == sums
+               ? ""
+               : is_wrong("sums.txt", "does not belong to these files");
+  try {
+    if (!failed) (void)press::read_curve(folder / "curve.csv");
+  } catch (const core::InvalidInput& problem) { return problem.what(); }
   return {};
+}
+
+std::optional<Claim> Store::claim(const std::string& key) {
+  auto mine = claims_.take(key);
+  if (!mine) return {};
+  // It may have been finished between the caller's look and now. A network file system may remember that it
+  // was not there, until something changes in the folder.
+  std::error_code error;
+  fs::create_directory(temporary(key), error);
+  fs::remove(temporary(key), error);
+  if (state(key) != State::missing) return {};
+  return mine;
+}
+
+/// Whether it is this one that is there now.
+bool Store::publish(const fs::path& temporary, const std::string& key) const {
+  std::error_code error;
+  fs::rename(temporary, run(key), error);
+  if (error && state(key) == State::missing)
+    throw core::IoError(fmt::format("{}: cannot be written: {}", run(key).string(), error.message()));
+  return !error;
 }
 
 void Store::keep(const std::string& key, const press::Case& c, const press::Result& result, Cost cost) const {
   const fs::path folder = temporary(key);
   std::error_code error;
   fs::remove_all(folder, error);
+  const std::array contents = {press::case_text(c), identity_of(c), press::curve_csv(result.curve),
+                               press::summary_json(c, result),
+                               fmt::format("{:.3f} {:.3f}\n", cost.cpu_s, cost.wall_s)};
+  bool published = false;
   try {
+    std::string sums;
+    const auto add = [&](const std::string& name, const std::string& content) {
+      core::write_through(folder / name, content);
+      sums += sum_line(name, content);
+    };
     fs::create_directories(folder);
-    core::write_file(folder / "case.toml", press::case_text(c));
-    core::write_file(folder / "identity.txt", identity_of(c));
-    press::write_curve(result.curve, folder / "curve.csv");
-    core::write_file(folder / "summary.json", press::summary_json(c, result));
-    core::write_file(folder / "cost.txt", fmt::format("{:.3f} {:.3f}\n", cost.cpu_s, cost.wall_s));
-    if (result.failure) core::write_file(folder / "failure.txt", *result.failure + "\n");
-    fs::rename(folder, run(key), error);
-    if (error && state(key) == State::missing)
-      throw core::IoError(fmt::format("{}: {}", run(key).string(), error.message()));
-    if (error) fs::remove_all(folder, error);
-  } catch (const fs::filesystem_error& problem) {
+    for (std::size_t i = 0; i < run_files.size(); ++i) add(run_files[i], contents[i]);
+    if (result.failure) add("failure.txt", *result.failure + "\n");
+    core::write_through(folder / "sums.txt", sums);
+    core::sync_folder(folder);
+    published = publish(folder, key);
+    if (published) core::sync_folder(folder_ / "runs");
+    else fs::remove_all(folder, error);
+  } catch (const std::exception& problem) {
     fs::remove_all(folder, error);
+    if (!published && state(key) != State::missing)
+      return; // another worker was faster, and swept up after this one
     throw core::IoError(problem.what());
-  } catch (...) {
-    fs::remove_all(folder, error);
-    throw;
   }
 }
 
 /// Out of the way first, lest half a run be taken for a whole one.
 void Store::forget(const std::string& key) const {
+  const fs::path away = temporary(key) += "-old";
   std::error_code error;
-  fs::rename(run(key), temporary(key), error);
+  fs::rename(run(key), away, error);
   if (error && state(key) != State::missing) // else another program was faster
     throw core::IoError(fmt::format("{} cannot be removed: {}", run(key).string(), error.message()));
-  fs::remove_all(temporary(key), error);
+  fs::remove_all(away, error);
 }
 
-int Store::claimed() const {
-  int count = 0;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(folder_ / "claims", error))
-    count += !entry.path().filename().string().starts_with('.') && !stale(entry.path());
-  return count;
+std::string Store::forget_damaged(const std::string& key) {
+  if (damage(key).empty()) return {};
+  const auto mine = claims_.take(key);
+  if (!mine) return {};
+  const std::string what = damage(key);
+  if (!what.empty()) forget(key);
+  return what;
 }
 
 Store::Cost Store::cost(const std::string& key) const {
   Cost cost;
-  std::ifstream(run(key) / "cost.txt") >> cost.cpu_s >> cost.wall_s;
+  if (std::FILE* file = std::fopen((run(key) / "cost.txt").c_str(), "r")) {
+    if (std::fscanf(file, "%lf %lf", &cost.cpu_s, &cost.wall_s) != 2) cost = {};
+    std::fclose(file);
+  }
   return cost;
 }
 
@@ -266,7 +268,7 @@ std::string Store::failure(const std::string& key) const {
   return line;
 }
 
-int Store::merge(const std::vector<Store>& others, OldRuns old) {
+Store::Merged Store::merge(const std::vector<Store>& others, OldRuns old) {
   for (const auto& other : others) {
     if (read_head(other.folder_).engine == 0)
       throw core::InvalidInput(
@@ -281,21 +283,43 @@ int Store::merge(const std::vector<Store>& others, OldRuns old) {
     }
   }
   open_for_writing(old);
-  int copied = 0;
+  Merged merged;
+  struct Copy {
+    fs::path folder;
+    std::string key;
+    Claim claim; ///< else it were swept up as what a dead worker left
+  };
+  std::vector<Copy> copies;
+  const auto publish_all = [&] {
+    sync_all(folder_);
+    for (const auto& copy : copies) {
+      if (state(copy.key) == State::failed) forget(copy.key);
+      merged.copied += publish(copy.folder, copy.key);
+    }
+    core::sync_folder(folder_ / "runs");
+    copies.clear();
+  };
+  constexpr std::size_t at_once = 64; // runs that are brought to the disk together
   for (const auto& other : others)
     for (const auto& entry : fs::directory_iterator(other.folder_ / "runs")) {
       const std::string key = entry.path().filename().string();
       if (key.starts_with('.') || !entry.is_directory()) continue;
       const State here = state(key);
       if (here == State::done || (here == State::failed && other.state(key) == State::failed)) continue;
-      const fs::path copy = temporary(key + "+"); // forget() uses the name without +
+      if (const std::string wrong = other.damage(key); !wrong.empty()) {
+        merged.damaged.push_back(wrong);
+        continue;
+      }
+      auto mine = claims_.take(key);
+      if (!mine) continue;
+      const fs::path copy = temporary(key);
       fs::remove_all(copy);
       fs::copy(entry.path(), copy, fs::copy_options::recursive);
-      if (here == State::failed) forget(key);
-      fs::rename(copy, run(key));
-      ++copied;
+      copies.push_back({copy, key, std::move(*mine)});
+      if (copies.size() == at_once) publish_all();
     }
-  return copied;
+  if (!copies.empty()) publish_all();
+  return merged;
 }
 
 } // namespace platen::study

@@ -119,20 +119,23 @@ const std::array law_columns = {
 };
 
 /// The engines of the runs that are there: one, unless runs of older engines were kept.
-std::string engines_of(const Study& study, const Store& store) {
-  std::vector<int> found;
+/// Engines whose runs are there; this one, where there is none.
+std::string engines_of(const Study& study, const Store& store, const std::vector<Found>& found) {
+  std::vector<int> engines;
   for (const int engine : store.engines())
-    if (std::any_of(study.runs.begin(), study.runs.end(), [&](const Run& run) {
-          const auto key = key_of(run.press_case, engine);
-          return key == store.key(run.press_case) && store.state(key) != Store::State::missing;
-        }))
-      found.push_back(engine);
-  if (found.empty()) found.push_back(core::engine);
-  return fmt::format("{}", fmt::join(found, " "));
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (found[i].state != Store::State::missing &&
+          found[i].key == key_of(study.runs[i].press_case, engine)) {
+        engines.push_back(engine);
+        break;
+      }
+  if (engines.empty()) engines.push_back(core::engine);
+  return fmt::format("{}", fmt::join(engines, " "));
 }
 
 std::string word(Store::State state) {
-  return state == Store::State::done ? "done" : state == Store::State::failed ? "failed" : "missing";
+  constexpr std::array words = {"missing", "done", "failed", "damaged"};
+  return words[static_cast<std::size_t>(state)];
 }
 
 /// Six digits: what a press is good for, and room.
@@ -153,12 +156,23 @@ std::vector<double> unloading_of(const press::Case& c) {
   return {};
 }
 
-Sheet runs_sheet(const Study& study, const Store& store, std::string_view variant) {
+std::vector<Found> find_runs(const Study& study, const Store& store) {
+  std::vector<Found> found;
+  for (const auto& run : study.runs) {
+    auto key = store.key(run.press_case);
+    const auto state = store.verified(key);
+    found.push_back({std::move(key), state});
+  }
+  return found;
+}
+
+Sheet runs_sheet(const Study& study, const Store& store, const std::vector<Found>& found,
+                 std::string_view variant) {
   // Factors may change where a run unloads; columns are those of the first.
   const auto from = unloading_of(study.runs.front().press_case);
   Sheet sheet{
       "runs",
-      {{"study", study.name}, {"engine", engines_of(study, store)}, {"variant", std::string(variant)}},
+      {{"study", study.name}, {"engine", engines_of(study, store, found)}, {"variant", std::string(variant)}},
       {"run", "key"},
       {}};
   for (const auto& factor : study.factors) sheet.columns.push_back(factor.name);
@@ -172,11 +186,10 @@ Sheet runs_sheet(const Study& study, const Store& store, std::string_view varian
       for (const auto& name : law.names(from)) sheet.columns.push_back(name);
   const std::size_t behind_fit = sheet.columns.size();
   sheet.columns.insert(sheet.columns.end(), {"cpu_s", "wall_s"});
-  for (const auto& run : study.runs) {
-    const auto key = store.key(run.press_case);
-    const auto state = store.state(key);
-    Cells row = {static_cast<std::int64_t>(sheet.rows.size() + 1), key};
-    for (const auto& input : run.inputs)
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const auto& [key, state] = found[i];
+    Cells row = {static_cast<std::int64_t>(i + 1), key};
+    for (const auto& input : study.runs[i].inputs)
       std::visit([&](const auto& level) { row.emplace_back(level); }, input);
     row.emplace_back(word(state));
     if (behind_fit > before_fit && state == Store::State::done) {
@@ -185,18 +198,18 @@ Sheet runs_sheet(const Study& study, const Store& store, std::string_view varian
         for (const auto& law : law_columns)
           if (wanted(law)) append(row, law.cells(curve, variant, from));
       } catch (const core::InvalidInput& problem) {
-        throw core::InvalidInput(fmt::format("run {}, {}: {}", sheet.rows.size() + 1,
-                                             (store.run(key) / "curve.csv").string(), problem.what()));
+        throw core::InvalidInput(
+            fmt::format("run {}, {}: {}", i + 1, (store.run(key) / "curve.csv").string(), problem.what()));
       }
     } else append(row, Cells(behind_fit - before_fit));
-    if (state == Store::State::missing) append(row, Cells(2));
+    if (state == Store::State::missing || state == Store::State::damaged) append(row, Cells(2));
     else append(row, {store.cost(key).cpu_s, store.cost(key).wall_s});
     sheet.rows.push_back(std::move(row));
   }
   return sheet;
 }
 
-Sheet curves_sheet(const Study& study, const Store& store, double step) {
+Sheet curves_sheet(const Study& study, const Store& store, const std::vector<Found>& found, double step) {
   constexpr std::array branches = {"loading", "unloading", "reloading"};
   const auto any = [&](std::initializer_list<std::string_view> experiments) {
     return std::any_of(study.runs.begin(), study.runs.end(), [&](const Run& run) {
@@ -207,16 +220,15 @@ Sheet curves_sheet(const Study& study, const Store& store, double step) {
   const bool x_walls = any({"die", "triaxial"}), y_walls = any({"triaxial"});
   Sheet sheet{
       "curves",
-      {{"study", study.name}, {"engine", engines_of(study, store)}, {"step", core::number_text(step)}},
+      {{"study", study.name}, {"engine", engines_of(study, store, found)}, {"step", core::number_text(step)}},
       {"run", "branch_id", "branch", "delta_bar", "F_bar", "a_bar"},
       {}};
   if (x_walls) sheet.columns.insert(sheet.columns.end(), {"F_bar_x", "a_bar_x"});
   if (y_walls) sheet.columns.insert(sheet.columns.end(), {"F_bar_y", "a_bar_y"});
   std::int64_t number = 0;
-  for (const auto& run : study.runs) {
+  for (const auto& [key, state] : found) {
     ++number;
-    const auto key = store.key(run.press_case);
-    if (store.state(key) != Store::State::done) continue;
+    if (state != Store::State::done) continue;
     for (const auto& point : on_grid(press::read_curve(store.run(key) / "curve.csv"), step)) {
       Cells row = {number, std::int64_t{point.branch_id},
                    std::string(branches[static_cast<std::size_t>(point.branch)]), rounded(point.delta_bar)};

@@ -14,12 +14,19 @@ namespace platen::study {
 /// Names that [fit] laws may have.
 std::vector<std::string> fitted_laws();
 
+struct Found {
+  std::string key;
+  Store::State state;
+};
+/// Of each run of the study, its content verified.
+std::vector<Found> find_runs(const Study&, const Store&);
+
 /// One row a run, in the order of the design, the same for the same runs but for the columns cpu_s and
 /// wall_s, which are the last.
-Sheet runs_sheet(const Study&, const Store&, std::string_view variant);
+Sheet runs_sheet(const Study&, const Store&, const std::vector<Found>&, std::string_view variant);
 
 /// The curves of the runs that are done, on a common grid (grid.hpp), in six digits; `run` is the number of
 /// the row in the other sheet, from 1.
-Sheet curves_sheet(const Study&, const Store&, double step);
+Sheet curves_sheet(const Study&, const Store&, const std::vector<Found>&, double step);
 
 } // namespace platen::study

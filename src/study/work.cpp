@@ -3,7 +3,6 @@
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "core/say.hpp"
-#include "press/press.hpp"
 
 #include <fmt/format.h>
 #include <sys/prctl.h>
@@ -15,12 +14,15 @@
 #include <csignal>
 #include <cstdio>
 #include <ctime>
+#include <random>
 #include <thread>
 
 namespace platen::study {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr std::chrono::milliseconds longest_pause{5000};
 
 double cpu_now() {
   timespec time{};
@@ -34,15 +36,10 @@ void stop_where_asked() {
         "stopped as asked; the finished runs are in the store, and the same command goes on");
 }
 
-void press_one(const Run& run, const Store& store, const std::string& key, const Claim& claim) {
+void press_one(const Run& run, const Store& store, const std::string& key, const Press& press) {
   const double cpu = cpu_now();
   const auto start = Clock::now();
-  auto refreshed = start;
-  const auto result = press::press(run.press_case, [&](double, const press::CurvePoint& point) {
-    if (Clock::now() - refreshed > std::chrono::seconds(30)) {
-      claim.refresh();
-      refreshed = Clock::now();
-    }
+  const auto result = press(run.press_case, [&](double, const press::CurvePoint& point) {
     return !core::interrupted() && !(run.stop_at > 0 && point.delta_bar > run.stop_at);
   });
   if (result.interrupted) stop_where_asked(); // unless it stopped where the run says
@@ -50,13 +47,47 @@ void press_one(const Run& run, const Store& store, const std::string& key, const
              {cpu_now() - cpu, std::chrono::duration<double>(Clock::now() - start).count()});
 }
 
+struct Task {
+  const Run* run;
+  std::string key;
+};
+
+/// Goes through the tasks once; what remains.
+std::vector<Task> pass(std::vector<Task> tasks, Store& store, const Press& press) {
+  std::vector<Task> left;
+  for (auto& task : tasks) {
+    stop_where_asked();
+    if (store.state(task.key) != Store::State::missing) continue;
+    if (const auto claim = store.claim(task.key)) press_one(*task.run, store, task.key, press);
+    else left.push_back(std::move(task));
+  }
+  return left;
+}
+
+std::vector<Task> tasks_of(const Study& study, const Store& store) {
+  std::vector<Task> tasks;
+  for (const auto& run : study.runs) tasks.push_back({&run, store.key(run.press_case)});
+  return tasks;
+}
+
+void press_all(std::vector<Task> tasks, Store& store, const Press& press) {
+  // Each worker begins elsewhere: so they seldom want the same run.
+  if (!tasks.empty())
+    std::rotate(tasks.begin(), tasks.begin() + std::random_device()() % tasks.size(), tasks.end());
+  for (auto pause = std::chrono::milliseconds(50);; pause = std::min(2 * pause, longest_pause)) {
+    tasks = pass(std::move(tasks), store, press);
+    if (tasks.empty()) return;
+    std::this_thread::sleep_for(pause); // who has claimed the rest may die
+  }
+}
+
 /// In a child process; its exit code, as the program's.
-int worker(const Study& study, const Store& store, pid_t parent) {
+int worker(const std::vector<Task>& tasks, Store& store, const Press& press, pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGTERM); // nobody presses on unseen when the program was killed
   if (::getppid() != parent) return 130;
   (void)!::nice(10); // the machine may be somebody else's as well
   try {
-    work(study, store);
+    press_all(tasks, store, press);
     return 0;
   } catch (const core::Interrupted&) { return 130; } catch (const std::exception& error) {
     core::say(fmt::format("platen: {}\n", error.what()));
@@ -66,51 +97,56 @@ int worker(const Study& study, const Store& store, pid_t parent) {
 
 } // namespace
 
-Tally tally(const Study& study, const Store& store) {
-  Tally t;
+Census::Census(const Study& study, const Store& store) : store_(store) {
+  for (const auto& run : study.runs) missing_.push_back(store.key(run.press_case));
+  tally_.runs = static_cast<int>(missing_.size());
+}
+
+const Tally& Census::take() {
+  std::erase_if(missing_, [&](const std::string& key) {
+    const auto state = store_.state(key);
+    if (state == Store::State::missing) return false;
+    const auto cost = store_.cost(key);
+    tally_.cpu_s += cost.cpu_s;
+    tally_.wall_s += cost.wall_s;
+    if (state == Store::State::failed) tally_.failures.push_back(key);
+    ++(state == Store::State::failed ? tally_.failed : tally_.done);
+    return true;
+  });
+  return tally_;
+}
+
+Tally tally(const Study& study, const Store& store) { return Census(study, store).take(); }
+
+void forget_damaged(const Study& study, Store& store) {
   for (const auto& run : study.runs) {
     const auto key = store.key(run.press_case);
-    const auto state = store.state(key);
-    ++t.runs;
-    t.done += state == Store::State::done;
-    t.failed += state == Store::State::failed;
-    if (state == Store::State::missing) continue;
-    const auto cost = store.cost(key);
-    t.cpu_s += cost.cpu_s;
-    t.wall_s += cost.wall_s;
-  }
-  return t;
-}
-
-void work(const Study& study, const Store& store) {
-  for (;;) {
-    bool all_there = true;
-    for (const auto& run : study.runs) {
-      stop_where_asked();
-      const auto key = store.key(run.press_case);
-      if (store.state(key) != Store::State::missing) continue;
-      if (const auto claim = store.claim(key)) press_one(run, store, key, *claim);
-      else all_there = false;
-    }
-    if (all_there) return;
-    std::this_thread::sleep_for(std::chrono::milliseconds(250)); // who has claimed the rest may die
+    if (store.verified(key) != Store::State::damaged) continue;
+    if (const auto what = store.forget_damaged(key); !what.empty())
+      core::say(fmt::format("note: {}; the run is pressed again\n", what));
   }
 }
 
-void work(const Study& study, const Store& store, int workers,
-          const std::function<void(const Tally&)>& show) {
+void work(const Study& study, Store& store, const Press& press) {
+  press_all(tasks_of(study, store), store, press);
+}
+
+void work(const Study& study, Store& store, int workers, const std::function<void(const Tally&)>& show,
+          const Press& press) {
   std::fflush(nullptr); // or each child would print it again
   const pid_t self = ::getpid();
+  const auto tasks = tasks_of(study, store);
   std::vector<pid_t> children;
   for (int i = 0; i < workers; ++i) {
     const pid_t child = ::fork();
-    if (child == 0) std::_Exit(worker(study, store, self));
+    if (child == 0) std::_Exit(worker(tasks, store, press, self));
     if (child > 0) children.push_back(child);
   }
   if (children.empty()) throw core::IoError("no worker process could be started");
   int worst = 0;
   bool told = false;
-  auto shown = Clock::now();
+  Census census(study, store);
+  auto next = Clock::now();
   while (!children.empty()) {
     if (core::interrupted() && !told) {
       for (const pid_t child : children) ::kill(child, SIGTERM);
@@ -122,9 +158,10 @@ void work(const Study& study, const Store& store, int workers,
       worst = std::max(worst, WIFEXITED(status) ? WEXITSTATUS(status) : 4);
       return true;
     });
-    if (children.empty() || Clock::now() - shown > std::chrono::milliseconds(200)) {
-      show(tally(study, store));
-      shown = Clock::now();
+    if (const auto now = Clock::now(); children.empty() || now > next) {
+      show(census.take());
+      next =
+          Clock::now() + std::max<Clock::duration>(std::chrono::milliseconds(200), 20 * (Clock::now() - now));
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }

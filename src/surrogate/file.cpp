@@ -6,7 +6,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <functional>
 #include <string_view>
 
 namespace platen::surrogate {
@@ -54,7 +57,7 @@ class Reader {
     for (const char *at = text.data(), *end = at + text.size(); at < end;) {
       double value = 0;
       const auto read = std::from_chars(at, end, value);
-      if (read.ec != std::errc())
+      if (read.ec != std::errc() || !std::isfinite(value))
         throw core::InvalidInput(
             fmt::format("{}, line {}: not a list of numbers; the file is damaged", file_, number_));
       values.push_back(value);
@@ -71,7 +74,23 @@ class Reader {
     return values;
   }
   double number(std::string_view key) { return list(key, 1)[0]; }
-  int whole(std::string_view key) { return static_cast<int>(number(key)); }
+  int whole(std::string_view key) { return count_of(number(key)); }
+  /// Of materials, runs, elements: whole and within reason.
+  int count_of(double value) const {
+    if (!(value >= 0 && value <= 1e6) || value != std::floor(value))
+      throw core::InvalidInput(fmt::format("{}, line {}: {} is no count; the file is damaged", file_, number_,
+                                           core::number_text(value)));
+    return static_cast<int>(value);
+  }
+  /// A list with at least one number, growing.
+  std::vector<double> growing_list(std::string_view key) {
+    auto values = list(key);
+    if (values.empty() || !(values.front() > 0) ||
+        std::adjacent_find(values.begin(), values.end(), std::greater_equal()) != values.end())
+      throw core::InvalidInput(
+          fmt::format("{}, line {}: '{}' must grow from above 0; the file is damaged", file_, number_, key));
+    return values;
+  }
 
  private:
   std::string_view line() {
@@ -138,8 +157,8 @@ void write(Writer& out, std::string_view name, const LeaveOneOut& e) {
 LeaveOneOut read_errors(Reader& in, std::string_view name) {
   LeaveOneOut e;
   const auto counts = in.list(fmt::format("{}.materials", name), 2);
-  e.materials = static_cast<int>(counts[0]);
-  e.locked = static_cast<int>(counts[1]);
+  e.materials = in.count_of(counts[0]);
+  e.locked = in.count_of(counts[1]);
   e.force = quantiles(in.list(fmt::format("{}.force", name), 3));
   e.radius = quantiles(in.list(fmt::format("{}.radius", name), 3));
   e.work = quantiles(in.list(fmt::format("{}.work", name), 3));
@@ -195,7 +214,7 @@ Surrogate read_surrogate(const std::filesystem::path& file) {
   s.engine = in.whole("engine");
   s.asked = in.whole("asked");
   s.fine = in.whole("fine");
-  s.knots = in.list("knots");
+  s.knots = in.growing_list("knots");
   s.unload_delta_bar = in.list("unload_delta_bar");
   s.ranges.resize(static_cast<std::size_t>(in.whole("ranges")));
   for (auto& range : s.ranges) {
@@ -211,13 +230,16 @@ Surrogate read_surrogate(const std::filesystem::path& file) {
     s.numbers.push_back(in.list(s.runs.back(), s.ranges.size()));
   }
   const auto varying = input_of(s, s.low).size();
-  for (int layers = in.whole("layers"); layers > 0; --layers)
+  const int layers = in.whole("layers");
+  if (layers == 0)
+    throw core::InvalidInput(fmt::format("{}: it has no layer; the file is damaged", file.string()));
+  for (int i = 0; i < layers; ++i)
     s.layers.push_back(read_layer(in, varying, s.knots.size(), 2 * s.unload_delta_bar.size()));
   s.band = in.number("band");
   s.left_out = read_errors(in, "left_out");
   if (in.peek() != "guide") return s;
   const auto press = in.list("guide", 2);
-  Guide guide{static_cast<int>(press[0]), press[1], read_layer(in, varying, s.knots.size(), 0), 0, {}};
+  Guide guide{in.count_of(press[0]), press[1], read_layer(in, varying, s.knots.size(), 0), 0, {}};
   guide.band = in.number("band");
   guide.left_out = read_errors(in, "left_out");
   s.guide = std::move(guide);

@@ -69,6 +69,11 @@ Layer fit_change(const Surrogate& s, const PoolData& fine, const PoolData& coars
 } // namespace
 
 std::vector<double> input_of(const Surrogate& s, const std::vector<double>& coordinates) {
+  if (coordinates.size() != s.low.size() || coordinates.size() != s.high.size())
+    throw core::InvalidInput(
+        fmt::format("the surrogate of {} has {} coordinates where a material of {} has {}; "
+                    "make it again with `platen study surrogate`",
+                    s.pool, s.low.size(), s.model, coordinates.size()));
   std::vector<double> input;
   for (std::size_t k = 0; k < coordinates.size(); ++k)
     if (s.high[k] - s.low[k] > 1e-9) input.push_back((coordinates[k] - s.low[k]) / (s.high[k] - s.low[k]));

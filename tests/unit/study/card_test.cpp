@@ -115,6 +115,14 @@ TEST_F(StudyCard, RefusesDesignsThatAreNone) {
                  "file is not for");
   EXPECT_REFUSED("[design]\nkind = \"factorial\"\n" + factors, "is not for a design of kind \"factorial\"");
   EXPECT_REFUSED("[design]\nkind = \"factorial\"\n[factors]\n", "the design is empty");
+  std::string thousands;
+  for (const auto* key : {"radius_m", "path.delta_bar_max", "material.nu"}) {
+    thousands += "\"" + std::string(key) + "\" = { values = [0.1";
+    for (int i = 1; i < 200; ++i) thousands += ", 0.1" + std::to_string(i);
+    thousands += "] }\n";
+  }
+  EXPECT_REFUSED("[design]\nkind = \"factorial\"\n[factors]\n" + thousands,
+                 "8e+06 combinations; a study may have 1000000 runs");
   EXPECT_REFUSED("[design]\nkind = \"factorial\"\n[factors]\nradius_m = { values = [] }\n",
                  "the design is empty");
   EXPECT_REFUSED("[design]\nkind = \"table\"\nfile = \"t.csv\"\n[factors]\nradius_m = {}\n",

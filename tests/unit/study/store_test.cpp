@@ -48,8 +48,7 @@ std::string key(int i) { return "key" + std::to_string(i); }
 
 /// Goes through all keys as a worker does; each "press" is a file that must not be there before. Dies at
 /// random with the claim in its hands.
-[[noreturn]] void claim_all(const Store& store, const fs::path& pressed, int keys, std::uint64_t seed,
-                            bool mortal) {
+[[noreturn]] void claim_all(Store store, const fs::path& pressed, int keys, std::uint64_t seed, bool mortal) {
   Random random(seed);
   for (int left = keys; left > 0;) {
     left = 0;
@@ -97,26 +96,24 @@ TEST_F(RunStore, NeverGivesOneRunToTwoWorkers) {
 }
 
 TEST_F(RunStore, SweepsWhatTheDeadLeft) {
-  (void)store();
-  std::array<char, 256> host{};
-  ::gethostname(host.data(), host.size() - 1);
+  auto s = store();
   const auto runs = folder_ / "store/runs", claims = folder_ / "store/claims";
-  const std::string dead = std::string(".key1-") + host.data() + "-999999999";
-  const std::string live = std::string(".key2-") + host.data() + "-" + std::to_string(::getpid());
-  for (const auto& name :
-       {dead, live, std::string(".key3-some-other-host-1"), std::string(".key4-another-1")})
-    fs::create_directory(runs / name);
-  const auto long_ago = fs::file_time_type::clock::now() - std::chrono::hours(1);
-  fs::last_write_time(runs / ".key4-another-1", long_ago);
-  write("claims/key1", std::string(host.data()) + " 999999999 1\n");
-  write("claims/key3", "some-other-host 1 1\n");
+  for (const auto* name : {".key1-0", ".key2-0", ".key3-0"}) fs::create_directory(runs / name);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    (void)new Claim(*s.claim("key1"));
+    std::_Exit(0);
+  }
+  ::waitpid(child, nullptr, 0);
+  const auto living = s.claim("key2");
+  write("claims/key3", "0000000001 01 another-host/pid:[1] 1 1\n");
+  write("claims/key4", "some-other-host 1 1\n"); // of an older program
+  EXPECT_TRUE(fs::exists(claims / "key1"));
   (void)store();
-  EXPECT_FALSE(fs::exists(runs / dead));
-  EXPECT_TRUE(fs::exists(runs / live));
-  EXPECT_TRUE(fs::exists(runs / ".key3-some-other-host-1"));
-  EXPECT_FALSE(fs::exists(runs / ".key4-another-1"));
+  EXPECT_FALSE(fs::exists(runs / ".key1-0"));
   EXPECT_FALSE(fs::exists(claims / "key1"));
-  EXPECT_TRUE(fs::exists(claims / "key3"));
+  for (const auto* name : {".key2-0", ".key3-0"}) EXPECT_TRUE(fs::exists(runs / name)) << name;
+  for (const auto* name : {"key2", "key3", "key4"}) EXPECT_TRUE(fs::exists(claims / name)) << name;
 }
 
 TEST_F(RunStore, OfAnotherEngineIsKeptOrRecomputed) {
@@ -146,21 +143,76 @@ TEST_F(RunStore, WritesWhatTheFirstVersionRead) {
   EXPECT_EQ(text("study.txt"), std::to_string(core::engine) + " s\n");
 }
 
+namespace {
+
+const press::Case& small_case() {
+  static const press::Case c = [] {
+    press::Simple e;
+    e.delta_bar_max = 0.001;
+    e.elements = 40;
+    return press::Case{{"e", material::Elastic{1e9, 0.3}, {}}, 1e-3, e};
+  }();
+  return c;
+}
+
+} // namespace
+
 TEST_F(RunStore, LeavesARunThatIsThereAsItIs) {
   const auto s = store();
-  press::Simple e;
-  e.delta_bar_max = 0.001;
-  e.elements = 40;
-  const press::Case c{{"e", material::Elastic{1e9, 0.3}, {}}, 1e-3, e};
-  const auto result = press::press(c);
-  s.keep("key1", c, result, {1, 1});
-  s.keep("key1", c, result, {2, 2});
+  const auto result = press::press(small_case());
+  s.keep("key1", small_case(), result, {1, 1});
+  s.keep("key1", small_case(), result, {2, 2});
   EXPECT_EQ(s.cost("key1").cpu_s, 1);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "store/runs"), {}), 1);
 }
 
+TEST_F(RunStore, SeesWhatIsNotAsItWasWritten) {
+  auto s = store();
+  const auto key = s.key(small_case());
+  const auto result = press::press(small_case());
+  const auto damaged_by = [&](const std::string& name,
+                              const std::function<std::string(std::string)>& change) {
+    s.keep(key, small_case(), result, {1, 1});
+    EXPECT_EQ(s.damage(key), "");
+    const std::string file = "runs/" + key + "/" + name;
+    write(file, change(text(file)));
+    EXPECT_EQ(s.verified(key), Store::State::damaged) << name;
+    return s.forget_damaged(key);
+  };
+  const auto shorter = [](std::string content) { return content.substr(0, content.size() / 2) + "\n"; };
+  const auto digit = [](std::string content) {
+    content[content.find_last_of("123456789")] = '0';
+    return content;
+  };
+  for (const std::string name : {"curve.csv", "case.toml", "summary.json", "cost.txt", "sums.txt"}) {
+    EXPECT_NE(damaged_by(name, shorter).find("sums.txt: does not belong to these files"), std::string::npos)
+        << name;
+    EXPECT_NE(damaged_by(name, digit).find("sums.txt: does not belong to these files"), std::string::npos)
+        << name;
+    EXPECT_EQ(s.state(key), Store::State::missing);
+  }
+  EXPECT_NE(damaged_by("identity.txt", digit).find("identity.txt: is that of another run"),
+            std::string::npos);
+  EXPECT_NE(damaged_by("curve.csv", [](auto) { return ""; }).find("curve.csv: has no end"),
+            std::string::npos);
+}
+
+TEST_F(RunStore, OfAnOlderProgramHasNoSumsAndIsReadAllTheSame) {
+  auto s = store();
+  const auto key = s.key(small_case());
+  s.keep(key, small_case(), press::press(small_case()), {1, 1});
+  const auto folder = s.run(key);
+  fs::remove(folder / "sums.txt");
+  EXPECT_EQ(s.verified(key), Store::State::done);
+  fs::remove(folder / "identity.txt");
+  EXPECT_EQ(s.verified(key), Store::State::done);
+  const std::string curve = "runs/" + key + "/curve.csv";
+  write(curve, text(curve).substr(0, text(curve).rfind(',')) + "\n");
+  EXPECT_EQ(s.verified(key), Store::State::damaged);
+}
+
 TEST_F(RunStore, KeepsEveryExperiment) {
-  const auto s = store();
+  auto s = store();
   const auto pressed = [&](const std::string& mesh, const std::string& experiments) {
     core::write_file(
         folder_ / "study.toml",
@@ -183,7 +235,7 @@ TEST_F(RunStore, KeepsEveryExperiment) {
   EXPECT_NE(summary(cells, 1).find("\"cell_filling\""), std::string::npos);
   EXPECT_NE(summary(cells, 2).find("\"cell_filling\""), std::string::npos);
 
-  const auto curves = curves_sheet(cells, s, 0.002);
+  const auto curves = curves_sheet(cells, s, find_runs(cells, s), 0.002);
   EXPECT_EQ(curves.columns.back(), "a_bar_x"); // of the die
   int walls = 0, no_walls = 0;
   for (const auto& row : curves.rows) {
