@@ -6,6 +6,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/progress.hpp"
+#include "core/say.hpp"
 #include "press/case_card.hpp"
 #include "reproduce/page.hpp"
 #include "study/table.hpp"
@@ -47,6 +48,17 @@ void press_pool(const reproduce::Data& data, const std::string& name, const fs::
   core::write_file(target / "curves.csv", study::csv_text(study::curves_sheet(study, store, step)));
 }
 
+/// One press again; the folder has its name only when it is whole. One that comes to its limit load early is
+/// kept as far as it went.
+void press_alone(const fs::path& card, const fs::path& target) {
+  const fs::path unfinished = target.string() + ".unfinished";
+  core::prepare_folder(unfinished);
+  try {
+    press_into(press::read_case(card.string()), OutputFolder(unfinished), Fields::pictures);
+  } catch (const core::ConvergenceError& early) { core::say(fmt::format("note: {}\n", early.what())); }
+  fs::rename(unfinished, target);
+}
+
 /// All that the papers rest on, pressed again; what is there already is kept.
 void press_all(const reproduce::Data& data, const std::vector<std::string>& papers, const fs::path& folder,
                int workers) {
@@ -54,10 +66,7 @@ void press_all(const reproduce::Data& data, const std::vector<std::string>& pape
     const auto sources = reproduce::sources_of(paper);
     for (const auto& name : sources.presses) {
       const fs::path target = folder / "papers/presses" / name;
-      if (fs::exists(target / "summary.json")) continue;
-      core::prepare_folder(target);
-      press_into(press::read_case(data.file("papers/presses/" + name + "/case.toml").string()),
-                 OutputFolder(target), Fields::pictures);
+      if (!fs::exists(target)) press_alone(data.file("papers/presses/" + name + "/case.toml"), target);
     }
     for (const auto& name : sources.pools) press_pool(data, name, folder, workers);
   }

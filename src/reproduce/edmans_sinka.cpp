@@ -302,7 +302,6 @@ Row zone_maps_of_models(const Data& data) {
                   press::loading_end(dpc)->delta_bar);
   row.pictures = {{"papers/presses/base-vmdc/zones.svg", "VMDC, δ̄ = 0.1 to 0.5"},
                   {"papers/presses/base-dpc/zones.svg", "DPC, δ̄ = 0.0025 to 0.0125"}};
-  row.charts = {zones(dpc, "DPC: how the volume flows")};
   return row;
 }
 

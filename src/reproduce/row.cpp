@@ -35,13 +35,13 @@ Comparison overlay(const std::string& what, const std::string& abscissa, const s
   Comparison furthest;
   double largest = -1;
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const Comparison here{
-        fmt::format("{}, largest difference of {} points, at {} = {:.4g}", what, x.size(), abscissa, x[i]),
-        theirs[i],
-        ours[i],
-        tolerance,
-        Measure::relative,
-        error};
+    const std::string of = x.size() > 1 ? fmt::format("largest difference of {} points, ", x.size()) : "";
+    const Comparison here{fmt::format("{}, {}at {} = {:.4g}", what, of, abscissa, x[i]),
+                          theirs[i],
+                          ours[i],
+                          tolerance,
+                          Measure::relative,
+                          error};
     const double d = std::abs(difference(here));
     if (!(d <= largest)) { // a value that is not finite is the furthest
       furthest = here;

@@ -63,7 +63,7 @@ void add_limits(const Data& data, Row& row) {
 }
 
 Row discriminants(const Data& data) {
-  Row row{"sh-fig-c", "Appendix C, figures", "discriminants over λ",
+  Row row{"sh-fig-c", "App. C", "figures: discriminants over λ",
           "Negative for every λ; the figures have no number.",
           "The same discriminants; their ends against Table C.1."};
   for (const LoadingCase loading : {LoadingCase::die, LoadingCase::hydrostatic}) {
@@ -222,7 +222,8 @@ Row raw_confined(const Data& data, LoadingCase loading, const char* id, const ch
 Row law_over_presses(const Data& data, LoadingCase loading, const char* id, const char* figure) {
   Row row{id, figure, fmt::format("the hardening law over finite elements, {}", name_of(loading)),
           "Four exponents; good prediction over the whole range.",
-          "The published law against our presses of rows that the figure shows (E = 2,000 κ), γ/2R from 0.06 "
+          "The published law against our presses of rows that the figure shows (E = 2,000 κ, beyond 1/m = "
+          "0.9 100 κ), γ/2R from 0.06 "
           "to 0.9 of the limit."};
   const auto list = hardening_metals(data, loading);
   std::vector<Compared> compared;

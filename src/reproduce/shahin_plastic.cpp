@@ -297,7 +297,7 @@ void add_coefficient(Row& row, const std::vector<Metal>& list, const Coefficient
               fmt::format("{}  [–]", c.label),
               {}};
   chart.log_x = true;
-  const auto grid = over_zeta ? x : even_in_logarithm(least(x), largest(x), 60);
+  const auto grid = over_zeta ? x : even_in_logarithm(least(x) / 1.2, 1.2 * largest(x), 60);
   chart.series = {{"press", Mark::points, x, ours},
                   {"closed form", Mark::dashed, grid, over_zeta ? theirs : values(grid, [&](double lambda) {
                      return c.of(law::AgarwalCoefficients<double>::published(
