@@ -567,7 +567,8 @@ Row appendix(const Data& data, const Regression& r) {
   for (std::size_t k = 0; k < refitted.size(); ++k)
     row.because += fmt::format(" a{} = {:.4g} (printed {:.4g})", k + 1, refitted[k], printed[k]);
   row.because += ".";
-  Chart chart{fmt::format("{}: regression over fit", r.name), "of our fit", "of the regression", {}};
+  Chart chart{
+      fmt::format("{}: regression over fit", r.name), "of our fit  [–]", "of the regression  [–]", {}};
   chart.series = {{"fitted anew", Mark::points, y, law(refitted)},
                   {"printed, corrected where suspect", Mark::points, y, law(corrected)},
                   {"equal", Mark::dashed, {least(y), largest(y)}, {least(y), largest(y)}, "#444444"}};

@@ -138,8 +138,8 @@ std::vector<double> forces(const BranchCurve& press, const std::vector<double>& 
 
 void bound_confined(std::vector<Chart>& charts, LoadingCase loading) {
   if (loading == LoadingCase::simple) return;
-  charts[0].y_range = {0, 12};
-  charts[2].y_range = {0, 12};
+  charts[0].y_range = {0, 5};
+  charts[2].y_range = {0, 5};
 }
 
 Row rigid_limit(const Data& data) {

@@ -220,8 +220,8 @@ Row raw_confined(const Data& data, LoadingCase loading, const char* id, const ch
                 law::x_of_filled_cell(loading), alike),
        0.05, Measure::absolute, 0.05});
   row.charts = three_charts(presses(list), name_of(loading), "σ_y");
-  row.charts[0].y_range = {0, 12};
-  row.charts[2].y_range = {0, 12};
+  row.charts[0].y_range = {0, 5};
+  row.charts[2].y_range = {0, 5};
   return row;
 }
 
@@ -239,8 +239,8 @@ Row raw_sides(const Data& data) {
   for (std::size_t i = 0; i < list.size(); ++i)
     compared.push_back({fmt::format("λ = {:.0f}", list[i].lambda), &sides[i]});
   row.charts = three_charts(compared, "die, walls", "σ_y");
-  row.charts[0].y_range = {0, 12};
-  row.charts[2].y_range = {0, 12};
+  row.charts[0].y_range = {0, 5};
+  row.charts[2].y_range = {0, 5};
   return row;
 }
 
@@ -468,8 +468,8 @@ Row law_over_presses(const Data& data, LoadingCase loading, const char* id, cons
                               100 * largest(after));
   row.charts = three_charts(compared, name_of(loading), "σ_y");
   if (loading != LoadingCase::simple) {
-    row.charts[0].y_range = {0, 12};
-    row.charts[2].y_range = {0, 12};
+    row.charts[0].y_range = {0, 5};
+    row.charts[2].y_range = {0, 5};
   }
   return row;
 }
@@ -620,7 +620,7 @@ Row side_pressure(const Data& data) {
           "agreement there.",
           "That pressure of the law against our walls, from the onset to 0.98 of the filled cell."};
   Chart chart{"side pressure", overlap_label, "pressure  F/(πa²σ_y)", {}};
-  chart.y_range = {0, 12};
+  chart.y_range = {0, 5};
   for (const Metal& m : rows_of_table_a1(data, LoadingCase::die)) {
     const auto law = m.published();
     const BranchCurve walls{m.curve.x, m.curve.F_side, m.curve.a_side, {}, {}};

@@ -265,7 +265,7 @@ Row equal_strengths(const Data& data) {
   Chart p_q{"p–q plane", "pressure −p (MPa)", "q (MPa)", {dp}};
   p_q.series.push_back(surface_of("sandstone-wang-3-4-von-mises", "von Mises"));
   p_q.series.push_back(surface_of("sandstone-wang-3-4-mohr-coulomb", "Mohr-Coulomb, compression"));
-  Chart plane{"π plane at −p = 10 MPa", "(MPa)", "(MPa)", {}};
+  Chart plane{"π plane at −p = 10 MPa", "deviatoric stress (MPa)", "deviatoric stress (MPa)", {}};
   Series circle{"Drucker-Prager", Mark::line, {}, {}}, hexagon{"Mohr-Coulomb", Mark::line, {}, {}};
   const double beta = std::tan(printed("section_3_4.beta_deg") * std::numbers::pi / 180), p = 10;
   for (int i = 0; i <= 360; ++i) {
@@ -459,7 +459,10 @@ Row regression_table(const Data& data) {
     row.because += fmt::format(" {}: {:.4g}, {:.3g}, {:.3g}, {:.3g}, {:.3g}, {:.3g}, {:.3g} (printed "
                                "coefficients on our values: R² {:.2f}).",
                                names[k], C[0], C[1], C[2], C[3], C[4], C[5], C[6], r_squared(y, old));
-    Chart chart{fmt::format("{} of the 162 grains", names[k]), "of our press", "of the regression", {}};
+    Chart chart{fmt::format("{} of the 162 grains", names[k]),
+                fmt::format("{} of our press  [–]", names[k]),
+                fmt::format("{} of the regression  [–]", names[k]),
+                {}};
     chart.series = {{"fitted anew", Mark::points, y, anew},
                     {"as printed", Mark::points, y, old},
                     {"equal", Mark::dashed, {least(y), largest(y)}, {least(y), largest(y)}, "#444444"}};
