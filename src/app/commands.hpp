@@ -20,5 +20,6 @@ void add_import(Command);
 void add_calibrate(Command);
 void add_convert(Command);
 void add_predict(Command);
+void add_reproduce(Command);
 
 } // namespace platen::app

@@ -65,6 +65,7 @@ int run(int argc, char** argv) {
   app::add_calibrate(command);
   app::add_convert(command);
   app::add_predict(command);
+  app::add_reproduce(command);
   refuse_unknown_command(program, argc, argv);
   if (!program.parse(argc, argv)) return bad_input;
   if (argc < 2) print_commands(program);

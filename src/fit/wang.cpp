@@ -22,8 +22,6 @@
 namespace platen::fit {
 namespace {
 
-constexpr std::size_t fewest_points = 8;
-
 void check(const press::Curve& curve) {
   const auto need = [](bool there, std::string_view key) {
     if (!there)
@@ -45,11 +43,11 @@ Samples plastic_samples(const press::Curve& curve, const WangFit& yield) {
     samples.delta_bar.push_back(omega);
     samples.F_bar.push_back(point.force_N / yield.F_y_N);
   }
-  if (samples.size() < fewest_points)
+  if (samples.size() < wang_fewest_points)
     throw core::InvalidInput(
         fmt::format("the loading branch has {} points beyond first yield, F_y = {:.4g} N; a fit of wang "
                     "needs at least {}",
-                    samples.size(), yield.F_y_N, fewest_points));
+                    samples.size(), yield.F_y_N, wang_fewest_points));
   samples.weight = trapezoid_weights(samples.delta_bar, samples.delta_bar.front());
   return samples;
 }
@@ -218,6 +216,13 @@ FirstYield first_yield(double E, double nu, double phi_deg, double sigma_c, doub
   const double p0 = law::drucker_prager_yield(nu, phi_deg, sigma_c).p0;
   const double E_star = E / (1 - nu * nu), a = std::numbers::pi * p0 / (2 * E_star) * R;
   return {2 * std::numbers::pi / 3 * p0 * a * a, a * a / R, a};
+}
+
+std::size_t points_beyond(const press::Curve& curve, const FirstYield& yield) {
+  const press::Curve shifted = hertz_consistent(curve);
+  return static_cast<std::size_t>(std::ranges::count_if(shifted.points, [&](const auto& point) {
+    return point.branch == press::Branch::loading && point.delta_m >= yield.delta_m;
+  }));
 }
 
 WangFit fit_wang(const press::Curve& pressed) {

@@ -37,6 +37,11 @@ struct FirstYield {
 };
 FirstYield first_yield(double E_Pa, double nu, double phi_deg, double sigma_c_Pa, double radius_m);
 
+/// Points of the loading branch from first yield on, over the Hertz-consistent overlap; a fit wants so many
+/// at least.
+std::size_t points_beyond(const press::Curve&, const FirstYield&);
+inline constexpr std::size_t wang_fewest_points = 8;
+
 struct WangFit {
   double F_y_N = 0;
   double delta_y_m = 0; ///< of one sphere

@@ -7,6 +7,7 @@
 #include "fit/edmans_sinka.hpp"
 #include "fit/shahin.hpp"
 #include "fit/unloading.hpp"
+#include "fit/wang.hpp"
 #include "press/curve_csv.hpp"
 #include "study/grid.hpp"
 
@@ -88,6 +89,24 @@ template <class Fit, class Table> Cells coefficient_cells(const Fit& fit, const 
   return cells;
 }
 
+constexpr std::array wang_columns = {"F_y_N", "delta_y_m", "a", "b", "R2", "m", "n", "unload_R2"};
+
+/// F_y and delta_y alone of a grain that does not yield, or hardly: with fewer points beyond first yield than
+/// a fit wants.
+Cells wang_cells(const press::Curve& curve, std::string_view, const std::vector<double>&) {
+  const auto yield = fit::first_yield(curve.E_Pa, curve.nu, curve.phi_deg, curve.sigma_c_Pa, curve.radius_m);
+  Cells cells = {yield.F_N, yield.delta_m};
+  if (fit::points_beyond(curve, yield) < fit::wang_fewest_points) {
+    append(cells, Cells(wang_columns.size() - cells.size()));
+    return cells;
+  }
+  const auto fit = fit::fit_wang(curve);
+  append(cells, {fit.a, fit.b, fit.r_squared});
+  if (fit.unloading.empty()) append(cells, Cells(3));
+  else append(cells, {fit.m, fit.n, fit.unloading_r_squared});
+  return cells;
+}
+
 const std::array law_columns = {
     LawColumns{"edmans-sinka", edmans_sinka_names, edmans_sinka_cells},
     LawColumns{"agarwal",
@@ -116,6 +135,13 @@ const std::array law_columns = {
         [](const press::Curve& curve, std::string_view, const std::vector<double>&) {
           return coefficient_cells(fit::fit_shahin(curve), law::shahin_coefficients);
         }},
+    LawColumns{"wang",
+               [](const std::vector<double>&) {
+                 std::vector<std::string> names;
+                 for (const char* name : wang_columns) names.push_back(fmt::format("wang.{}", name));
+                 return names;
+               },
+               wang_cells},
 };
 
 /// The engines of the runs that are there: one, unless runs of older engines were kept.

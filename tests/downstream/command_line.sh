@@ -44,7 +44,7 @@ case_card() { # MATERIAL LINES...
 # --- help ---
 answers 0 'platen derive' "$platen"
 answers 0 'platen 0.' "$platen" --version
-for command in materials point press fit derive import calibrate convert predict; do answers 0 'Example:' "$platen" $command --help; done
+for command in materials point press fit derive import calibrate convert predict reproduce; do answers 0 'Example:' "$platen" $command --help; done
 for command in design run status export submit merge check surrogate; do answers 0 'Example:' "$platen" study $command --help; done
 answers 0 '| `only` |' "$platen" study design --keys
 answers 2 'STUDY.toml is required' "$platen" study design
