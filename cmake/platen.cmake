@@ -16,6 +16,9 @@ if(PLATEN_FUZZ)
   target_compile_options(platen_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
+# The program and the Python package are linked from the same objects.
+set(platen_objects -fPIC -fvisibility=hidden)
+
 # platen_precompiled(NAME LIBRARY HEADERS...): headers compiled once, for other targets to REUSE_FROM. This saves time and
 # nothing else: every file still includes what it uses, and compiles with CMAKE_DISABLE_PRECOMPILE_HEADERS=ON. They have a
 # target of their own, because GCC refuses them (-Winvalid-pch) where a macro that they were compiled with is missing.
@@ -33,10 +36,9 @@ function(platen_folder name)
   add_library(platen::${name} ALIAS platen_${name})
   target_include_directories(platen_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)
   target_link_libraries(platen_${name} PUBLIC ${ARGN} PRIVATE platen_flags)
+  target_compile_options(platen_${name} PRIVATE ${platen_objects})
   target_precompile_headers(platen_${name} REUSE_FROM platen_headers)
 endfunction()
-
-add_custom_target(unit_tests) # builds all quick unit tests, for runs that need nothing else
 
 # platen_tests(TIER FOLDER [libraries...]): tests/TIER/FOLDER/*_test.cpp as one program; files that end in
 # _slow_test.cpp become a second program whose tests carry the ctest label "slow".

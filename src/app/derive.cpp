@@ -5,11 +5,9 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/nearest.hpp"
-#include "core/number.hpp"
-#include "fit/edmans_sinka_card.hpp"
+#include "core/say.hpp"
+#include "fit/derivation.hpp"
 #include "material/card.hpp"
-#include "press/case_card.hpp"
-#include "press/curve_csv.hpp"
 #include "press/tension.hpp"
 
 #include <fmt/format.h>
@@ -30,59 +28,20 @@ struct Options {
   bool json = false, estimate_error = false;
 };
 
-/// Where the zone map looks: early, in the middle, at the end.
-std::vector<double> moments(double delta_bar_max) {
-  return {0.2 * delta_bar_max, 0.6 * delta_bar_max, delta_bar_max};
-}
-
-/// Five branches show how alpha and beta change with the overlap (ES Fig. 15).
-std::vector<double> fifths(double delta_bar_max) {
-  std::vector<double> list;
-  for (int i = 1; i < 5; ++i) // in digits that a person would write
-    list.push_back(core::number_from(fmt::format("{:.6g}", delta_bar_max * i / 5)).value());
-  list.push_back(delta_bar_max);
-  return list;
-}
-
-/// "0.1,0.3"; "none" for a law that unloads generically; empty: fifths.
-std::vector<double> unloading(const std::string& text, double delta_bar_max) {
-  if (text.empty()) return fifths(delta_bar_max);
-  if (text == "none") return {};
-  const std::vector<double> list = unloading_list(text);
-  constexpr std::size_t most = law::EdmansSinkaMaterial::most_unloadings;
-  if (list.size() > most)
-    throw core::InvalidInput(fmt::format(
-        "--unload_from {}: a law card holds {} branches at most, these are {}", text, most, list.size()));
-  return list;
-}
-
 void derive_simple(const Options& o, const material::Material& material) {
-  check_variant(o.variant);
+  fit::check_variant(o.variant);
   if (o.force_max_N) throw core::InvalidInput("--force_max_N is for --law wang; give --delta_bar_max");
   press::Simple e = o.experiment;
   if (o.delta_bar_max) e.delta_bar_max = *o.delta_bar_max;
-  e.unload_from = unloading(o.unload_from, e.delta_bar_max);
-  e.fields_at = moments(e.delta_bar_max);
-  const press::Case c{material, o.radius_m, e};
-  press::validate(c);
+  const press::Case c = fit::simple_derivation(material, o.radius_m, e, unloading_list(o.unload_from));
 
   const OutputFolder folder(o.folder);
   const press::Result result = press_into(c, folder, Fields::pictures, o.estimate_error).result;
   print_flags(result);
-  const FittedLaw law = fit_law(result.curve, o.variant);
-  const fit::PressedFit pressed = fit::fit_pressed(result.curve, law.unloading);
-  const std::string text = press::curve_csv(result.curve);
+  const auto [law, pressed, law_card, pressed_card] = fit::derive_laws(result, o.variant, core::say_line);
   const bool published_first = o.law == "edmans-sinka";
-  const auto write = [&](fit::LawCard card, const std::string& name) {
-    if (result.error) {
-      card.errors.emplace_back("press_force", result.error->force);
-      card.errors.emplace_back("press_radius", result.error->radius);
-    }
-    core::write_file(folder / name, text_of(card));
-  };
-  write(fit::law_card(result.curve, pressed, text), published_first ? "pressed.toml" : "law.toml");
-  write(fit::law_card(result.curve, law.loading, law.unloading, text),
-        published_first ? "law.toml" : "edmans-sinka.toml");
+  core::write_file(folder / (published_first ? "pressed.toml" : "law.toml"), text_of(pressed_card));
+  core::write_file(folder / (published_first ? "law.toml" : "edmans-sinka.toml"), text_of(law_card));
   draw_fit(result.curve, law, folder / "curve.svg");
   if (o.json) {
     fmt::print("{}", fit_json(result.curve, law, pressed));

@@ -22,7 +22,7 @@ struct LocalDerivation {
 /// small contact, or the material has no such strength as the law needs.
 void derive_local(const LocalDerivation&);
 
-/// Overlaps to unload from: "0.1,0.3". Throws core::InvalidInput.
-std::vector<double> unloading_list(const std::string& text);
+/// Overlaps to unload from: "0.1,0.3", or "none"; nothing of an empty text. Throws core::InvalidInput.
+std::optional<std::vector<double>> unloading_list(const std::string& text);
 
 } // namespace platen::app

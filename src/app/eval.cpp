@@ -70,16 +70,14 @@ std::string json_of(const fit::LawCard& card, const std::vector<Row>& rows) {
 void eval(const Options& options) {
   const fit::LawCard card = card_of(options.law);
   const law::Law law = fit::make_law(card, parameters_of(options.law));
-  const double to_delta_bar = delta_bar_per_overlap(law);
+  const double limit = fit::overlap_limit(card, law);
   std::vector<Row> rows;
   law::State state;
   std::size_t outside = 0;
   for (double overlap : asked_overlaps(options)) {
     law::Response response = law::evaluate(law, state, overlap);
     state = response.state;
-    if (card.delta_bar) // the card may hold for less than its law
-      response.in_range =
-          response.in_range && state.gamma_max * to_delta_bar <= (*card.delta_bar)[1] * (1 + 1e-12);
+    response.in_range = response.in_range && state.gamma_max <= limit;
     outside += !response.in_range;
     rows.push_back({overlap, response});
   }

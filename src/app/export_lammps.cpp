@@ -1,16 +1,12 @@
 #include "app/export_lammps.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
-#include "dem/contacts.hpp"
+#include "dem/lammps_lines.hpp"
 #include "material/card.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -25,18 +21,6 @@ struct Options {
   double delta_bar = 0;
 };
 
-/// Twelve contacts share their stiffness among three directions, four to each, and their other ends move
-/// against them: no frequency is above omega^2 = 8 k/m (Gershgorin), and central differences are stable up to
-/// 2/omega. A tenth of that resolves the collision.
-constexpr double safety = 0.1;
-
-/// What a type of particles is.
-struct Type {
-  fit::LawCard card;
-  double radius = 0, density = 0;
-  [[nodiscard]] double mass() const { return density * 4 / 3 * std::numbers::pi * std::pow(radius, 3); }
-};
-
 template <class T> const T& of_type(const std::vector<T>& values, std::size_t type) {
   return values.size() == 1 ? values.front() : values[type];
 }
@@ -49,7 +33,7 @@ double density_in(const std::string& material) {
   return *card.material.density;
 }
 
-std::vector<Type> types_of(const Options& o) {
+std::vector<dem::ParticleType> types_of(const Options& o) {
   const auto for_each_type = [&](std::size_t given, const char* option) {
     if (given > 1 && given != o.laws.size())
       throw core::InvalidInput(
@@ -63,75 +47,13 @@ std::vector<Type> types_of(const Options& o) {
   if (o.densities.empty() && o.materials.empty())
     throw core::InvalidInput(
         "--density must be a positive number of kg/m^3; or name a card that has it, with --material");
-  std::vector<Type> types;
+  std::vector<dem::ParticleType> types;
   for (std::size_t i = 0; i < o.laws.size(); ++i) {
-    Type t{fit::read_law_card(o.laws[i]), of_type(o.radii, i)};
+    dem::ParticleType t{fit::read_law_card(o.laws[i]), of_type(o.radii, i)};
     t.density = o.materials.empty() ? of_type(o.densities, i) : density_in(of_type(o.materials, i));
-    if (!(t.radius > 0 && std::isfinite(t.radius)))
-      throw core::InvalidInput("--radius must be a positive number of metres");
-    if (!(t.density > 0 && std::isfinite(t.density)))
-      throw core::InvalidInput("--density must be a positive number of kg/m^3");
     types.push_back(std::move(t));
   }
   return types;
-}
-
-/// The stiffest state of two types' contacts, up to `delta_bar` or to where cards and laws say that they
-/// hold: on the loading curve, and where unloading leaves it.
-struct Stiffest {
-  double delta_bar = 0, k = 0;
-};
-
-Stiffest stiffest_of(const Type& one, const Type& two, double delta_bar) {
-  dem::Laws laws({one.card, two.card}, 0, {});
-  const dem::Laws::At at = laws.at(one.radius, two.radius);
-  const double valid = std::min(laws.x_valid, at.table->valid[0][1]);
-  if (!(delta_bar > 0)) delta_bar = valid;
-  if (!(delta_bar > 0 && delta_bar < law::TableView::x_limit))
-    throw core::InvalidInput(fmt::format("{}{}: neither card nor law says how far it holds; give --delta-bar",
-                                         one.card.file, &one == &two ? "" : " with " + two.card.file));
-  constexpr int points = 2000;
-  Stiffest s{delta_bar};
-  for (int i = 1; i <= points; ++i) {
-    const double gamma = delta_bar / at.scale.x_per_gamma * i / points;
-    s.k = std::max(
-        {s.k, dem::respond(at, 0, gamma).stiffness, dem::respond(at, gamma, gamma * (1 - 1e-6)).stiffness});
-  }
-  if (!(s.k > 0))
-    throw core::InvalidInput(
-        fmt::format("{}: the law has no stiffness up to delta/R = {}", one.card.file, delta_bar));
-  return s;
-}
-
-std::string lines_of(const Options& options) {
-  const std::vector<Type> types = types_of(options);
-  std::string text, pairs;
-  std::vector<double> stiffest(types.size());
-  for (std::size_t j = 0; j < types.size(); ++j) {
-    const Type& t = types[j];
-    text +=
-        fmt::format("# type {}: law {}, radius {} m, {} kg/m^3\n", j + 1, t.card.law, t.radius, t.density);
-    for (std::size_t i = 0; i <= j; ++i) {
-      const auto [delta_bar, k] = stiffest_of(types[i], i == j ? types[i] : t, options.delta_bar);
-      text += fmt::format("#   with type {}: stiffest state up to delta/R = {:.6g}: {:.6g} N/m\n", i + 1,
-                          delta_bar, k);
-      stiffest[i] = std::max(stiffest[i], k);
-      stiffest[j] = std::max(stiffest[j], k);
-      const auto path = [](const Type& of) { return std::filesystem::absolute(of.card.file).string(); };
-      pairs += i == j ? fmt::format("pair_coeff {0} {0} {1}\n", j + 1, path(t))
-                      : fmt::format("pair_coeff {} {} {} {}\n", i + 1, j + 1, path(types[i]), path(t));
-    }
-  }
-  double step = law::infinity;
-  for (std::size_t i = 0; i < types.size(); ++i)
-    step = std::min(step, safety * 2 * std::sqrt(types[i].mass() / (8 * stiffest[i])));
-  return text +
-         fmt::format("# time step: {} of the stability limit 2 sqrt(m/8k), the least of all types\n"
-                     "# before the box is made: units si, atom_style sphere, newton off, include platen.lmp\n"
-                     "comm_modify vel yes\n"
-                     "pair_style platen\n"
-                     "{}timestep {:.4g}\n",
-                     safety, pairs, step);
 }
 
 } // namespace
@@ -155,7 +77,7 @@ void add_export_lammps(Command command) {
   lammps.add_option("-o", options->output, "file to write instead of printing");
   lammps.footer("Example: platen export lammps mcc.toml --radius 1e-4 --density 1500 -o mcc.lmp");
   lammps.callback([options] {
-    const std::string text = lines_of(*options);
+    const std::string text = dem::lammps_lines(types_of(*options), options->delta_bar);
     if (options->output.empty()) fmt::print("{}", text);
     else core::write_file(options->output, text);
   });

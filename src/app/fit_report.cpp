@@ -1,15 +1,10 @@
 #include "app/fit_report.hpp"
 
-#include "core/error.hpp"
-#include "core/nearest.hpp"
-#include "core/say.hpp"
 #include "core/version.hpp"
 #include "plot/curve_picture.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <algorithm>
 
 namespace platen::app {
 namespace {
@@ -32,15 +27,6 @@ Json pressed_json(const fit::PressedFit& f) {
           {"radius_measured", f.radius_measured}};
 }
 
-fit::UnloadingFits fit_unloading(const press::Curve& curve) {
-  const bool unloads = std::ranges::any_of(
-      curve.points, [](const auto& point) { return point.branch == press::Branch::unloading; });
-  if (unloads && !(curve.E_Pa > 0))
-    return {{},
-            {"the unloading branches are not fitted: the curve says no elasticity; give --E_Pa and --nu"}};
-  return fit::fit_unloading(curve);
-}
-
 std::string unloading_words(const fit::UnloadingFits& unloading) {
   if (unloading.fits.empty()) return "";
   std::string words = "unloading, F = F_max ((delta - delta_0)/(delta_max - delta_0))^alpha\n"
@@ -59,26 +45,6 @@ Json each(const fit::UnloadingFits& unloading, double fit::UnloadingFit::*value)
 
 } // namespace
 
-void check_variant(const std::string& variant) {
-  std::vector<std::string> known = {"best"};
-  for (const auto name : fit::edmans_sinka_variants()) known.emplace_back(name);
-  if (std::ranges::find(known, variant) == known.end())
-    throw core::InvalidInput(fmt::format("--variant {}: there is no such form to fit; there are {}{}",
-                                         variant, fmt::join(known, ", "), core::suggestion(variant, known)));
-}
-
-FittedLaw fit_law(const press::Curve& curve, const std::string& variant) {
-  check_variant(variant);
-  FittedLaw law;
-  if (variant == "best") {
-    auto comparison = fit::fit_best(curve);
-    law.loading = comparison.fits.front();
-    law.verdict = comparison.verdict;
-  } else law.loading = fit::fit_edmans_sinka(curve, variant);
-  law.unloading = unloading_of(curve);
-  return law;
-}
-
 std::string fit_words(const FittedLaw& law) {
   const auto& f = law.loading;
   const auto line = [](std::string_view name, double value, const fit::Interval& interval) {
@@ -94,12 +60,6 @@ std::string fit_words(const FittedLaw& law) {
                      100 * f.errors.relative_l2, 100 * f.errors.e_p, 100 * f.errors.e_a, f.r_squared,
                      law.verdict.empty() ? "" : fmt::format("  {}\n", law.verdict),
                      unloading_words(law.unloading));
-}
-
-fit::UnloadingFits unloading_of(const press::Curve& curve) {
-  fit::UnloadingFits fits = fit_unloading(curve);
-  for (const auto& sentence : fits.skipped) core::say(fmt::format("note: {}\n", sentence));
-  return fits;
 }
 
 std::string fit_words(const fit::PressedFit& f) {

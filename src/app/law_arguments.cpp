@@ -1,14 +1,11 @@
 #include "app/law_arguments.hpp"
 
-#include "core/catalogue.hpp"
 #include "core/error.hpp"
 #include "core/number.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 namespace platen::app {
 
@@ -23,18 +20,7 @@ void add_law_arguments(Command command, LawArguments& arguments) {
 }
 
 fit::LawCard card_of(const LawArguments& arguments) {
-  fit::LawCard card;
-  const bool bare = std::ranges::any_of(law::laws(), [&](const auto& l) { return l.name == arguments.law; });
-  if (bare) card.law = arguments.law;
-  else if (std::filesystem::exists(arguments.law) || arguments.law.ends_with(".toml") ||
-           std::ranges::count(core::card_names("laws"), arguments.law))
-    card = fit::read_law_card(arguments.law);
-  else {
-    std::string known;
-    for (const auto& l : law::laws()) known += fmt::format("{}{}", known.empty() ? "" : ", ", l.name);
-    for (const auto& name : core::card_names("laws")) known += ", " + name;
-    throw InvalidInput(fmt::format("there is no law or law card '{}'; known are: {}", arguments.law, known));
-  }
+  fit::LawCard card = fit::find_law_card(arguments.law);
   if (!arguments.variant.empty()) card.variant = arguments.variant;
   return card;
 }
@@ -80,7 +66,5 @@ std::vector<double> overlaps_of(const std::string& range) {
   for (int i = 0; i < n; ++i) overlaps.push_back(i == n - 1 ? to : from + (to - from) * i / (n - 1));
   return overlaps;
 }
-
-double delta_bar_per_overlap(const law::Law& law) { return law.scale.x_per_gamma; }
 
 } // namespace platen::app

@@ -27,7 +27,4 @@ law::ParameterTexts parameters_of(const LawArguments&);
 /// "A:B:N": N overlaps from A to B, both included.
 std::vector<double> overlaps_of(const std::string& range);
 
-/// delta/R of an overlap under this law; twice the fraction of the radius that each of two spheres gives way.
-double delta_bar_per_overlap(const law::Law&);
-
 } // namespace platen::app

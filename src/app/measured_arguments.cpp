@@ -69,16 +69,13 @@ std::vector<measure::Measurement> measurements_of(const std::vector<std::string>
 }
 
 measure::Machine machine_of(const MeasuredArguments& a) {
-  if (a.compliance_m_per_N) {
-    const double c = *a.compliance_m_per_N;
-    if (!(c >= 0) || !std::isfinite(c))
-      throw InvalidInput(
-          fmt::format("--compliance_m_per_N {}: it must be a number >= 0", core::number_text(c)));
-    return {c, {}, {}, fmt::format("compliance given, {:.4g} um/N", c * 1e6)};
-  }
-  if (a.empty_machine.empty()) return {};
-  measure::ReadOptions options = a.read;
-  return measure::empty_machine(measure::read_measurement(a.empty_machine, options));
+  return measure::machine_of(a.compliance_m_per_N, a.empty_machine, a.read);
+}
+
+measure::CurveOptions curve_options_of(const MeasuredArguments& a) {
+  measure::CurveOptions options{a.read, machine_of(a), a.despite_doubts()};
+  options.read.diameter_m = diameter_of(a, 0, 1);
+  return options;
 }
 
 } // namespace platen::app

@@ -2,8 +2,7 @@
 // What a command is told about files of instruments.
 
 #include "app/command_line.hpp"
-#include "measure/machine.hpp"
-#include "measure/specimen.hpp"
+#include "measure/input_curve.hpp"
 
 #include <optional>
 #include <string>
@@ -35,5 +34,7 @@ std::optional<double> diameter_of(const MeasuredArguments&, std::size_t k, std::
 std::vector<measure::Measurement> measurements_of(const std::vector<std::string>& files,
                                                   const MeasuredArguments&);
 measure::Machine machine_of(const MeasuredArguments&);
+/// Of one curve.
+measure::CurveOptions curve_options_of(const MeasuredArguments&);
 
 } // namespace platen::app

@@ -1,12 +1,11 @@
 #include "app/commands.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
-#include "core/nearest.hpp"
 #include "core/number.hpp"
 #include "core/say.hpp"
 #include "core/version.hpp"
 #include "material/card.hpp"
-#include "surrogate/predicted_law.hpp"
+#include "surrogate/predict_law.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -103,56 +102,12 @@ std::string json_of(const material::Material& material, const surrogate::Answer&
          "\n";
 }
 
-void guide(surrogate::Answer& answer, const material::Material& material,
-           const surrogate::Description& description) {
-  const auto& s = answer.surrogate;
-  if (!s.guide) {
-    core::say(fmt::format("note: pool {} has no guide, and is without one expected to be {:.2g} % off\n",
-                          s.pool, 100 * answer.prediction.expected.back()));
-    return;
-  }
-  const auto loading = surrogate::press_guide(s, material);
-  answer.prediction = surrogate::predict(s, description, &loading);
-  answer.assessment = surrogate::assess(s, description, answer.prediction);
-}
-
-/// What else could be done about a material that is not inside.
-std::string advice(const Options& o, const surrogate::Answer& answer) {
-  std::string text =
-      fmt::format("`platen derive {} -o DIR` presses it", o.material.empty() ? "CARD.toml" : o.material);
-  if (answer.surrogate.guide && !o.guided)
-    text +=
-        fmt::format(", --guided on {} elements before it predicts (such curves are {:.2g} % off)",
-                    answer.surrogate.guide->elements, 100 * answer.surrogate.guide->left_out.force.median);
-  return text;
-}
-
 void predict(const Options& o) {
-  const std::vector<std::string> laws = {"pressed", "edmans-sinka"};
-  if (std::ranges::find(laws, o.law) == laws.end())
-    throw core::InvalidInput(
-        fmt::format("--law {}: there is no such law to predict{}", o.law, core::suggestion(o.law, laws)));
   const auto material = material_of(o);
-  const auto description = surrogate::describe(material.model);
-  auto answer = surrogate::ask_catalogue(description);
-  if (o.guided) guide(answer, material, description);
-  const auto& s = answer.surrogate;
-  const bool outside = answer.assessment.verdict == surrogate::Verdict::outside;
-  const std::string why = fmt::format("{} is outside of what was pressed (pool {}): {}", material.name,
-                                      s.pool, fmt::join(answer.assessment.reasons, "; "));
-  if (outside && !o.extrapolate)
-    throw core::InvalidInput(fmt::format("{}; {}, --extrapolate guesses", why, advice(o, answer)));
-  const auto card = o.law == "pressed" ? surrogate::pressed_card(answer, material)
-                                       : surrogate::edmans_sinka_card(answer, material, o.variant);
-  if (s.engine != core::engine)
-    core::say(fmt::format("warning: pool {} was pressed by engine {}, this is engine {}\n", s.pool, s.engine,
-                          core::engine));
-  if (outside) core::say(fmt::format("warning: extrapolated, {}\n", why));
+  surrogate::PredictOptions options{o.law, o.variant, o.guided, o.extrapolate};
+  if (!o.material.empty()) options.card = o.material;
+  const auto [card, answer, near] = surrogate::predict_law(material, options, core::say_line);
   core::write_file(o.output, text_of(card));
-  const auto near = nearest(s, description, 3);
-  if (answer.assessment.verdict == surrogate::Verdict::near_the_edge)
-    core::say(
-        fmt::format("note: {} is near the edge of what is known; {}\n", material.name, advice(o, answer)));
   fmt::print("{}", o.json ? json_of(material, answer, near) : words(o, material, answer, near));
 }
 

@@ -44,8 +44,9 @@ void press_pool(const reproduce::Data& data, const std::string& name, const fs::
   const fs::path target = folder / "pools" / name;
   core::prepare_folder(target);
   const double step = core::read_csv(card.parent_path() / "curves.csv").number_note("step");
-  core::write_file(target / "runs.csv", study::csv_text(study::runs_sheet(study, store, "published")));
-  core::write_file(target / "curves.csv", study::csv_text(study::curves_sheet(study, store, step)));
+  const auto found = study::find_runs(study, store);
+  core::write_file(target / "runs.csv", study::csv_text(study::runs_sheet(study, store, found, "published")));
+  core::write_file(target / "curves.csv", study::csv_text(study::curves_sheet(study, store, found, step)));
 }
 
 /// One press again; the folder has its name only when it is whole. One that comes to its limit load early is

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/nearest.hpp"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -13,9 +14,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Installed: share/platen beside the bin folder of the program. Not installed: the source tree's.
+/// Installed: beside the library that this is part of (the Python package), or share/platen beside the bin
+/// folder of the program. Not installed: the source tree's.
 fs::path own_catalogue() {
   std::error_code error;
+  static const int here = 0;
+  if (Dl_info library; dladdr(&here, &library) != 0 && library.dli_fname) {
+    const fs::path beside = fs::path(library.dli_fname).parent_path() / "catalogue";
+    if (fs::is_directory(beside, error)) return beside;
+  }
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) {
     const fs::path installed = program.parent_path().parent_path() / "share/platen/catalogue";

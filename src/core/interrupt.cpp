@@ -6,6 +6,7 @@ namespace platen::core {
 namespace {
 
 volatile std::sig_atomic_t stop = 0;
+bool (*host_asked)() = nullptr;
 
 extern "C" void ask_to_stop(int) { stop = 1; }
 
@@ -22,6 +23,8 @@ void watch_for_interrupts() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-bool interrupted() { return stop != 0; }
+void ask_for_interrupts(bool (*host)()) { host_asked = host; }
+
+bool interrupted() { return stop != 0 || (host_asked && host_asked()); }
 
 } // namespace platen::core

@@ -7,6 +7,9 @@ namespace platen::core {
 /// may grow no further fails to be written instead of ending it.
 void watch_for_interrupts();
 
+/// A host with signals of its own, Python, is asked instead.
+void ask_for_interrupts(bool (*host)());
+
 /// Whether the user asked to stop.
 bool interrupted();
 

@@ -1,6 +1,7 @@
 #include "core/say.hpp"
 
 #include <cstdio>
+#include <string>
 
 namespace platen::core {
 
@@ -8,5 +9,7 @@ void say(std::string_view text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);
 }
+
+void say_line(std::string_view text) { say(std::string(text) + "\n"); }
 
 } // namespace platen::core

@@ -8,5 +8,7 @@ namespace platen::core {
 /// Writes the text as it is. Where standard error cannot be written it is lost: a message must not end the
 /// work that it is about.
 void say(std::string_view);
+/// The same, as a line.
+void say_line(std::string_view);
 
 } // namespace platen::core

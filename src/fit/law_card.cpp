@@ -110,7 +110,26 @@ core::FieldValue value_of(const Remarks& remarks, std::string_view key) {
 }
 
 LawCard read_law_card(const std::string& what) {
-  const Table table = core::read_toml(core::find_card("laws", what));
+  return read_law_card(core::read_toml(core::find_card("laws", what)));
+}
+
+LawCard find_law_card(const std::string& what) {
+  const auto cards = core::card_names("laws");
+  for (const auto& l : law::laws())
+    if (l.name == what) {
+      LawCard card;
+      card.law = what;
+      return card;
+    }
+  if (std::filesystem::exists(what) || what.ends_with(".toml") || std::ranges::count(cards, what))
+    return read_law_card(what);
+  std::string known;
+  for (const auto& l : law::laws()) known += fmt::format("{}{}", known.empty() ? "" : ", ", l.name);
+  for (const auto& name : cards) known += ", " + name;
+  throw InvalidInput(fmt::format("there is no law or law card '{}'; known are: {}", what, known));
+}
+
+LawCard read_law_card(const Table& table) {
   static const std::vector<std::string> known = {"platen",   "law",   "variant",   "parameters",
                                                  "validity", "error", "provenance"};
   for (const auto& entry : table.entries)
@@ -178,6 +197,11 @@ std::string text_of(const LawCard& card) {
   if (!card.provenance.empty()) text += "\n[provenance]\n";
   for (const auto& [key, value] : card.provenance) text += core::card_line(key, value);
   return text;
+}
+
+double overlap_limit(const LawCard& card, const law::Law& law) {
+  if (!card.delta_bar) return law::infinity;
+  return (*card.delta_bar)[1] * (1 + 1e-12) / law.scale.x_per_gamma;
 }
 
 law::Law make_law(const LawCard& card, const law::ParameterTexts& more) {

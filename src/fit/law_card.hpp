@@ -3,6 +3,7 @@
 // platen/law/catalogue.hpp; a card adds where it came from and how far it holds.
 
 #include "core/fields.hpp"
+#include "core/toml.hpp"
 #include "platen/law/catalogue.hpp"
 
 #include <array>
@@ -34,6 +35,11 @@ core::FieldValue value_of(const Remarks&, std::string_view key);
 /// A card by path, or by name in the folder "laws" of a catalogue. Throws core::InvalidInput with file and
 /// line for an unknown law, variant, section or key, and for a parameter outside its range.
 LawCard read_law_card(const std::string& what);
+LawCard read_law_card(const core::Table&);
+
+/// What a user may name: a card by path, one of the catalogue, or a law, which gives an empty card of it.
+/// InvalidInput lists what there is.
+LawCard find_law_card(const std::string& what);
 
 /// The card as text; reading it gives the same card.
 std::string text_of(const LawCard&);
@@ -41,5 +47,8 @@ std::string text_of(const LawCard&);
 /// The law of a card, or of a bare name, ready to be evaluated. `more`: parameters that add to those of the
 /// card or replace them. Throws core::InvalidInput.
 law::Law make_law(const LawCard&, const law::ParameterTexts& more);
+
+/// The largest overlap for which card and law hold; a card may hold for less than its law [m].
+double overlap_limit(const LawCard&, const law::Law&);
 
 } // namespace platen::fit

@@ -1,6 +1,7 @@
 #include "measure/machine.hpp"
 
 #include "core/error.hpp"
+#include "core/number.hpp"
 
 #include <fmt/format.h>
 
@@ -100,6 +101,16 @@ Machine empty_machine(const Measurement& m) {
                   "taken by {} points",
                   m.file, machine.slope(0) * 1e6, machine.slope(most) * 1e6, most, machine.force_N.size());
   return machine;
+}
+
+Machine machine_of(std::optional<double> compliance, const std::string& file, const ReadOptions& options) {
+  if (compliance) {
+    if (!(*compliance >= 0) || !std::isfinite(*compliance))
+      throw core::InvalidInput(
+          fmt::format("--compliance_m_per_N {}: it must be a number >= 0", core::number_text(*compliance)));
+    return {*compliance, {}, {}, fmt::format("compliance given, {:.4g} um/N", *compliance * 1e6)};
+  }
+  return file.empty() ? Machine{} : empty_machine(read_measurement(file, options));
 }
 
 } // namespace platen::measure

@@ -4,6 +4,7 @@
 
 #include "measure/specimen.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,5 +23,9 @@ struct Machine {
 
 /// From a file measured without a particle. InvalidInput where its force does not grow.
 Machine empty_machine(const Measurement&);
+
+/// Its compliance, or such a file, or neither: an empty name. InvalidInput.
+Machine machine_of(std::optional<double> compliance_m_per_N, const std::string& empty_machine_file,
+                   const ReadOptions&);
 
 } // namespace platen::measure

@@ -481,7 +481,7 @@ Row law_parameters(const Data& data) {
           if (g.E_bar == 100) at_hundred.push_back(g.*p.of);
         }
       const auto regression = [&](double E) {
-        return law::edmans_sinka_appendix(G, E, law::EdmansSinkaVariant::published_corrected).*p.regression;
+        return law::edmans_sinka_appendix(G, E, law::Coefficients::corrected).*p.regression;
       };
       theirs.push_back(regression(100));
       ours.push_back(mean(at_hundred));

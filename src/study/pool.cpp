@@ -166,8 +166,8 @@ std::vector<Comparison> recompute(const Pool& pool, const std::vector<std::size_
   store.open_for_writing(OldRuns::ask);
   work(again, store, workers, show);
   const auto found = find_runs(again, store);
-  auto curves = curves_of(
-      core::parse_csv(csv_text(curves_sheet(again, store, found, pool.step)), "curves"), again.runs.size());
+  auto curves = curves_of(core::parse_csv(csv_text(curves_sheet(again, store, found, pool.step)), "curves"),
+                          again.runs.size());
   // Where no die was chosen there are no columns of walls; in the pool they are empty for these runs.
   for (std::size_t i = 0; i < runs.size(); ++i)
     for (auto& row : curves[i])

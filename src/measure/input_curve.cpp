@@ -1,4 +1,4 @@
-#include "app/measured_curve.hpp"
+#include "measure/input_curve.hpp"
 
 #include "core/error.hpp"
 #include "core/file.hpp"
@@ -12,11 +12,10 @@
 #include <cmath>
 #include <filesystem>
 
-namespace platen::app {
+namespace platen::measure {
 namespace {
 
 using core::InvalidInput;
-using measure::Stage;
 
 /// Our own columns, as a press or a script writes them.
 bool is_own(std::string_view text) {
@@ -57,8 +56,7 @@ void average(press::Curve& curve) {
 }
 
 /// Rows of one stage after another, averaged so that overlap grows or falls from point to point.
-void add_points(press::Curve& curve, const measure::Specimen& s, const measure::Stages& stages,
-                const measure::Machine& machine) {
+void add_points(press::Curve& curve, const Specimen& s, const Stages& stages, const Machine& machine) {
   std::vector<double> delta;
   for (std::size_t i = 0; i < s.travel_m.size(); ++i)
     delta.push_back(s.per_travel() * (s.travel_m[i] - machine.travel(s.force_N[i] - stages.baseline_N) -
@@ -94,17 +92,21 @@ void add_points(press::Curve& curve, const measure::Specimen& s, const measure::
 
 } // namespace
 
-InputCurve curve_of(const std::string& file, const MeasuredArguments& a) {
+InputCurve read_curve(const std::string& file, std::string text, const CurveOptions& o) {
+  InputCurve input{.file = file, .text = std::move(text), .curve = {}};
+  const auto& diameter = o.read.diameter_m;
+  input.curve = press::parse_curve(input.text, file, diameter ? std::optional(*diameter / 2) : std::nullopt);
+  input.measured = input.curve.experiment.empty();
+  if (input.measured) average(input.curve);
+  return input;
+}
+
+InputCurve read_curve(const std::string& file, const CurveOptions& o) {
   if (!std::filesystem::exists(file)) throw InvalidInput(fmt::format("{}: there is no such file", file));
-  InputCurve input;
-  if (a.read.force.empty() && a.read.displacement.empty() && is_own(core::read_file(file))) {
-    const auto diameter = diameter_of(a, 0, 1);
-    input.curve = press::read_curve(file, diameter ? std::optional(*diameter / 2) : std::nullopt);
-    input.measured = input.curve.experiment.empty();
-    if (input.measured) average(input.curve);
-    return input;
-  }
-  const auto m = measurements_of({file}, a).front();
+  InputCurve input{.file = file, .text = core::read_file(file), .curve = {}};
+  if (o.read.force.empty() && o.read.displacement.empty() && is_own(input.text))
+    return read_curve(file, std::move(input.text), o);
+  const auto m = read_measurement(file, o.read);
   if (m.specimens.size() != 1)
     throw InvalidInput(fmt::format("{}: {} particles; fit takes one curve, platen calibrate takes all", file,
                                    m.specimens.size()));
@@ -112,16 +114,15 @@ InputCurve curve_of(const std::string& file, const MeasuredArguments& a) {
   if (!s.diameter_m)
     throw InvalidInput(
         fmt::format("{}: the file does not say the diameter of the particle; give --radius_m", file));
-  const auto stages = measure::stages_of(s);
-  if (stages.broke && !a.despite_doubts())
+  const auto stages = stages_of(s);
+  if (stages.broke && !o.despite_doubts)
     throw InvalidInput(
         fmt::format("{}, line {}: the particle broke, the force fell by {:.0f} % while the platens "
                     "closed; --force fits what was before",
                     file, s.line[stages.broke->row], 100 * stages.broke->fell));
-  const auto machine = machine_of(a);
   input.measured = true;
   input.curve.radius_m = s.radius_m();
-  add_points(input.curve, s, stages, machine);
+  add_points(input.curve, s, stages, o.machine);
   std::string found = m.read_as;
   for (const auto& sentence : m.said) found += "; " + sentence;
   input.provenance = {{"source", file},
@@ -129,8 +130,8 @@ InputCurve curve_of(const std::string& file, const MeasuredArguments& a) {
                       {"contact_fitted", fmt::format("{} +- {:.2g}, by the foot of the curve",
                                                      s.on_scale_of_file(stages.contact_travel_m),
                                                      stages.contact_uncertainty_m / s.travel_unit.in_SI)},
-                      {"machine", machine.given()
-                                      ? machine.said
+                      {"machine", o.machine.given()
+                                      ? o.machine.said
                                       : "no compliance of the machine taken off: where it gives way the "
                                         "particle seems softer"},
                       {"rows", static_cast<int>(s.force_N.size())}};
@@ -150,14 +151,4 @@ fit::Claim claim_of(const press::Curve& curve, const std::string& file) {
   return claim;
 }
 
-void refuse_without_radius(const press::Curve& curve, const std::string& law, const std::string& file) {
-  const bool none =
-      std::ranges::all_of(curve.points, [](const auto& p) { return !(p.contact_radius_m > 0); });
-  if (none)
-    throw InvalidInput(
-        fmt::format("{}: {} is fitted to force and contact radius, and there is no radius in this "
-                    "curve; platen calibrate --law {} fits it to the force alone",
-                    file, law, law));
-}
-
-} // namespace platen::app
+} // namespace platen::measure

@@ -1,0 +1,27 @@
+"""What platen raises. The sentences are those of the command `platen`."""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+class Error(Exception):
+    """Anything that platen gives up on."""
+
+
+class InvalidInput(Error, ValueError):
+    """Something that was given is not admissible; the sentence says what, and what is allowed."""
+
+
+class ConvergenceError(Error, ArithmeticError):
+    """A solution was not found. Where a press stopped early, `press` is what it has up to there."""
+
+    press: Any = None
+
+
+class IoError(Error, OSError):
+    """A file could not be read or written."""
+
+
+class Warning(UserWarning):
+    """What has to be read beside a result."""

@@ -1,0 +1,68 @@
+#include "surrogate/predict_law.hpp"
+
+#include "core/error.hpp"
+#include "core/nearest.hpp"
+#include "core/version.hpp"
+#include "surrogate/predicted_law.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace platen::surrogate {
+namespace {
+
+void guide(Answer& answer, const material::Material& material, const Description& description,
+           const std::function<void(const std::string&)>& say) {
+  const auto& s = answer.surrogate;
+  if (!s.guide) {
+    say(fmt::format("note: pool {} has no guide, and is without one expected to be {:.2g} % off", s.pool,
+                    100 * answer.prediction.expected.back()));
+    return;
+  }
+  const auto loading = press_guide(s, material);
+  answer.prediction = predict(s, description, &loading);
+  answer.assessment = assess(s, description, answer.prediction);
+}
+
+/// What else could be done about a material that is not inside.
+std::string advice(const PredictOptions& o, const Answer& answer) {
+  std::string text = fmt::format("`platen derive {} -o DIR` presses it", o.card);
+  if (answer.surrogate.guide && !o.guided)
+    text +=
+        fmt::format(", --guided on {} elements before it predicts (such curves are {:.2g} % off)",
+                    answer.surrogate.guide->elements, 100 * answer.surrogate.guide->left_out.force.median);
+  return text;
+}
+
+} // namespace
+
+PredictedLaw predict_law(const material::Material& material, const PredictOptions& o,
+                         const std::function<void(const std::string&)>& say) {
+  const std::vector<std::string> laws = {"pressed", "edmans-sinka"};
+  if (std::ranges::find(laws, o.law) == laws.end())
+    throw core::InvalidInput(
+        fmt::format("--law {}: there is no such law to predict{}", o.law, core::suggestion(o.law, laws)));
+  const auto description = describe(material.model);
+  auto answer = ask_catalogue(description);
+  if (o.guided) guide(answer, material, description, say);
+  const auto& s = answer.surrogate;
+  const bool outside = answer.assessment.verdict == Verdict::outside;
+  const std::string why = fmt::format("{} is outside of what was pressed (pool {}): {}", material.name,
+                                      s.pool, fmt::join(answer.assessment.reasons, "; "));
+  if (outside && !o.extrapolate)
+    throw core::InvalidInput(fmt::format("{}; {}, --extrapolate guesses", why, advice(o, answer)));
+  auto card =
+      o.law == "pressed" ? pressed_card(answer, material) : edmans_sinka_card(answer, material, o.variant);
+  if (s.engine != core::engine)
+    say(fmt::format("warning: pool {} was pressed by engine {}, this is engine {}", s.pool, s.engine,
+                    core::engine));
+  if (outside) say(fmt::format("warning: extrapolated, {}", why));
+  if (answer.assessment.verdict == Verdict::near_the_edge)
+    say(fmt::format("note: {} is near the edge of what is known; {}", material.name, advice(o, answer)));
+  auto near = nearest(s, description, 3);
+  return {std::move(card), std::move(answer), std::move(near)};
+}
+
+} // namespace platen::surrogate
