@@ -1,12 +1,14 @@
 // Assembles what the site is made of: docs/ as it is, and the pages that the program prints.
 // node site/stage.mjs PLATEN_PROGRAM FOLDER
-import { execFileSync } from 'node:child_process'
-import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs'
+import { execFile, execFileSync } from 'node:child_process'
+import { promisify } from 'node:util'
+import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, symlinkSync, writeFileSync } from 'node:fs'
 import { basename, dirname, extname, join, posix, resolve } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { gallery } from './gallery.mjs'
 import { sections } from './.vitepress/sidebar.mjs'
 
+const run = promisify(execFile)
 const root = resolve(dirname(fileURLToPath(import.meta.url)), '..')
 const program = resolve(process.argv[2])
 const out = resolve(process.argv[3])
@@ -26,7 +28,7 @@ const block = (text, kind = 'text') => '````' + kind + '\n' + text.trimEnd() + '
 // --- files of the repository, and where they stand in the site ---
 
 const staged = path => {
-  if (path === 'README.md') return 'index.md'
+  if (path === 'README.md' || path === 'site/start.md') return 'index.md'
   if (['CHANGELOG.md', 'CONTRIBUTING.md'].includes(path)) return path.toLowerCase()
   const name = path.startsWith('docs/') ? path.slice(5) : 'source/' + path
   if (picture.test(name)) return name
@@ -122,26 +124,28 @@ const papers = () => {
     table + `\n\nMade by\n\n\`\`\`sh\nplaten reproduce all -o out/papers\n\`\`\`\n\nHow a verdict comes about, and what does not agree: [about this page](explanation/papers.md).\n`)
 }
 
-const galleryPage = () => {
-  const made = join(out, '../gallery')
+// Two at a time: each command is run once, however many pictures it makes.
+const runGallery = async made => {
   rmSync(made, { recursive: true, force: true })
-  const ran = new Map()
+  const folders = new Map()
+  for (const one of gallery) if (!one.file && !folders.has(one.command.join('\n'))) folders.set(one.command.join('\n'), join(made, one.name))
+  const left = [...folders]
+  const work = async () => {
+    for (let next; (next = left.shift());) {
+      const [commands, folder] = next
+      mkdirSync(folder, { recursive: true })
+      await run('bash', ['-euc', 'platen() { "$PLATEN" "$@"; }\n' + commands], { cwd: root, maxBuffer: 1 << 26,
+        env: { ...process.env, PLATEN: program, OUT: folder, PLATEN_CATALOGUE: join(root, 'catalogue'), OPENBLAS_NUM_THREADS: '1' } })
+    }
+  }
+  await Promise.all([work(), work()])
+  return folders
+}
+
+const galleryPage = folders => {
   const page = ['# Gallery\n', 'Each picture is made while this site is built, by the command under it. `platen` is the program of `./run build`; scripts run from the folder of the repository.\n']
   for (const one of gallery) {
-    const folder = join(made, one.name)
-    mkdirSync(folder, { recursive: true })
-    if (one.file) cpSync(join(root, one.file), join(out, 'gallery', one.picture), { recursive: true })
-    else {
-      const key = one.command.join('\n')
-      if (!ran.has(key)) {
-        ran.set(key, folder)
-        execFileSync('bash', ['-euc', 'platen() { "$PLATEN" "$@"; }\n' + one.command.join('\n')], {
-          cwd: root, stdio: ['ignore', 'ignore', 'inherit'],
-          env: { ...process.env, PLATEN: program, OUT: folder, PLATEN_CATALOGUE: join(root, 'catalogue'), OPENBLAS_NUM_THREADS: '1' } })
-      }
-      mkdirSync(join(out, 'gallery'), { recursive: true })
-      cpSync(join(ran.get(key), one.made), join(out, 'gallery', one.picture))
-    }
+    cpSync(one.file ? join(root, one.file) : join(folders.get(one.command.join('\n')), one.made), join(out, 'gallery', one.picture))
     page.push(`## ${one.title} {#${one.name}}\n`, one.words + '\n', `![${one.title}](./gallery/${one.picture})\n`,
       block(one.command.join('\n').replaceAll('"$PLATEN"', 'build/release/bin/platen').replaceAll('$OUT', `out/${one.name}`), 'sh'))
     if (one.laws) page.push('Laws: ' + one.laws.map(law => `[${law}](laws/${law}.md)`).join(', ') + '\n')
@@ -155,15 +159,21 @@ const contents = () => write('contents.md', ['# All pages\n', ...sections.flatMa
 // --- all of it ---
 
 rmSync(out, { recursive: true, force: true })
+mkdirSync(out, { recursive: true })
+rmSync(join(out, '../node_modules'), { force: true })
+symlinkSync(join(root, 'site/node_modules'), join(out, '../node_modules')) // pages look for vue upwards from where they lie
 const walk = folder => readdirSync(join(root, folder), { withFileTypes: true }).flatMap(entry =>
   entry.isDirectory() ? walk(`${folder}/${entry.name}`) : [`${folder}/${entry.name}`])
 for (const path of walk('docs')) if (path.endsWith('.md') || picture.test(path)) want(path)
 want('CHANGELOG.md'), want('CONTRIBUTING.md')
-galleryPage()
+const pressed = runGallery(join(out, '../gallery'))
 while (waiting.length) stage(waiting.shift())
 reference()
 papers()
 contents()
+galleryPage(await pressed)
 write('index.md', relink(read('site/start.md'), 'site/start.md'))
+mkdirSync(join(out, 'public'), { recursive: true })
+cpSync(join(root, 'site/icon.svg'), join(out, 'public/icon.svg'))
 const explorer = join(out, '../explorer')
 if (existsSync(explorer)) cpSync(explorer, join(out, 'public/explorer'), { recursive: true })

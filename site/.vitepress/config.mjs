@@ -1,6 +1,7 @@
 import { existsSync, readFileSync } from 'node:fs'
 import { defineConfig } from 'vitepress'
 import { sections } from './sidebar.mjs'
+import { slugify } from '../slug.mjs'
 
 const root = new URL('../../', import.meta.url)
 const text = name => readFileSync(new URL(name, root), 'utf8')
@@ -21,7 +22,7 @@ export default defineConfig({
   outDir: new URL('out/docs/', root).pathname,
   cacheDir: new URL('build/site/cache/', root).pathname,
   head: [['link', { rel: 'icon', type: 'image/svg+xml', href: base + 'icon.svg' }]],
-  markdown: { math: true },
+  markdown: { math: true, anchor: { slugify }, headers: { slugify }, toc: { slugify } },
   ignoreDeadLinks: [/papers\/index\.html/, /explorer\//],
   vite: { build: { chunkSizeWarningLimit: 4000 } },
   themeConfig: {
