@@ -27,13 +27,11 @@ export default defineConfig({
   vite: { build: { chunkSizeWarningLimit: 4000 } },
   themeConfig: {
     nav: [
-      { text: 'Start', link: first('Start'), activeMatch: '^/$' },
       ...['Tutorials', 'How-to', 'Explanation', 'Laws', 'Reference'].map(name =>
         ({ text: name, link: first(name), activeMatch: `^/${name.toLowerCase()}/` })),
-      { text: 'Papers', link: '/papers' },
       { text: 'Gallery', link: '/gallery' },
       ...(explorer ? [{ text: 'Explorer', link: '/explorer/index.html', target: '_self' }] : []),
-      { text: version, items: [{ text: 'What changed', link: '/changelog' }] },
+      { text: version, items: [{ text: 'The papers', link: '/papers' }, { text: 'What changed', link: '/changelog' }, { text: 'All pages', link: '/contents' }] },
     ],
     sidebar: sections.map(({ text, items }, at) => ({ text, collapsed: at > 2,
       items: items.map(([text, path]) => ({ text, link: page(path) })) })),
