@@ -55,7 +55,7 @@ const look = async (width, colorScheme, paths) => {
   for (const path of paths) {
     await go(page, path)
     ++loads
-    if (!(await page.locator('h1').first().isVisible())) fault(`${path}: no heading`)
+    if (!(await page.locator('h1, h2').first().isVisible())) fault(`${path}: no heading`)
     const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth)
     if (wide > 0) fault(`${path}: ${wide} pixels wider than a window of ${width}`)
     if (!types.includes(path) || width === 1024) continue
@@ -71,7 +71,10 @@ await Promise.all(looks.map(one => look(...one)))
 const page = await open({ viewport: { width: 1600, height: 900 }, permissions: ['clipboard-read', 'clipboard-write'] })
 await go(page, 'index.html')
 for (const [words, wanted] of searches) {
-  await page.keyboard.press('Control+k')
+  for (let tries = 0; tries < 20 && !(await page.locator('.search-input').count()); ++tries) { // until the page listens
+    await page.keyboard.press('Control+k')
+    await page.waitForTimeout(200)
+  }
   await page.locator('.search-input').fill(words)
   await page.waitForTimeout(150)
   await page.locator('.results .result').first().waitFor({ timeout: 5000 }).catch(() => {})

@@ -118,7 +118,8 @@ const reference = () => {
 const papers = () => {
   print('reproduce', 'all', '-o', join(out, 'public/papers'))
   const page = readFileSync(join(out, 'public/papers/index.html'), 'utf8')
-  const table = page.match(/<div class="wide">(<table>.*?<\/table>)<\/div>/s)[1].replaceAll('href="#', 'target="_self" href="./papers/index.html#')
+  writeFileSync(join(out, 'public/papers/index.html'), page.replace('<main>', '<main>\n<p><a href="../papers.html">Platen: documentation</a></p>'))
+  const table = page.match(/<div class="wide"[^>]*>(<table>.*?<\/table>)<\/div>/s)[1].replaceAll('href="#', 'target="_self" href="./papers/index.html#')
   write('papers.md', `---\nfrom: docs/explanation/papers.md\n---\n\n# The papers, reproduced\n\nEvery figure and table of three papers that holds a result, beside what Platen says: ` +
     `with verdicts computed from the numbers, pictures, and the numbers as CSV.\n\n<p><a class="big" href="./papers/index.html" target="_self">Open the page: all figures and tables</a></p>\n\n` +
     table + `\n\nMade by\n\n\`\`\`sh\nplaten reproduce all -o out/papers\n\`\`\`\n\nHow a verdict comes about, and what does not agree: [about this page](explanation/papers.md).\n`)

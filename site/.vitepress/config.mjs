@@ -22,7 +22,7 @@ export default defineConfig({
   outDir: new URL('out/docs/', root).pathname,
   cacheDir: new URL('build/site/cache/', root).pathname,
   head: [['link', { rel: 'icon', type: 'image/svg+xml', href: base + 'icon.svg' }]],
-  markdown: { math: true, anchor: { slugify }, headers: { slugify }, toc: { slugify } },
+  markdown: { math: true, theme: { light: 'github-light-high-contrast', dark: 'github-dark-high-contrast' }, anchor: { slugify }, headers: { slugify }, toc: { slugify } },
   ignoreDeadLinks: [/papers\/index\.html/, /explorer\//],
   vite: { build: { chunkSizeWarningLimit: 4000 } },
   themeConfig: {

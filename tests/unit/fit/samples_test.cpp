@@ -24,7 +24,8 @@ TEST(Errors, AreTheClosedFormsForALineOfTheWrongSlope) {
   EXPECT_NEAR(error.e_a, 0.03 * std::sqrt(4 / 3.0 / 0.5), 1e-7);
 }
 
-// docs/notation.md on e_a, (7): it scales as delta^(-1/2). A curve stretched four times in delta has half the e_a.
+// docs/notation.md on e_a, (7): it scales as delta^(-1/2). A curve stretched four times in delta has half the
+// e_a.
 TEST(Errors, TheAreaErrorOfThePaperFallsWithTheRootOfTheOverlap) {
   const auto shape = [](double share) { return share + share * share; };
   const auto narrow = loading_curve([&](double x) { return shape(x / 0.125); }, 100, 0.125);
