@@ -41,7 +41,9 @@ export default defineConfig({
         const html = md.render(markdown, env)
         return env.frontmatter?.search === false ? '' : html
       },
-      miniSearch: { searchOptions: { fuzzy: 0.2, prefix: true, boost: { title: 6, titles: 2, text: 1 } } } } },
+      miniSearch: { searchOptions: { fuzzy: 0.2, prefix: true, boost: { title: 6, titles: 2, text: 1 },
+        // whoever searches wants to do something first
+        boostDocument: id => /\/(contents|changelog|contributing|questions)/.test(id) ? 0.3 : /\/(how-to|tutorials)\//.test(id) ? 2 : 1 } } } },
     editLink: repository && { text: 'Edit this page', pattern: ({ filePath, frontmatter }) =>
       frontmatter.from ? `${repository}/edit/main/${frontmatter.from}` : `${repository}/tree/main/site` },
     externalLinkIcon: true,
