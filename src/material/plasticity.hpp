@@ -90,8 +90,8 @@ struct PhiRate {
   double v, w;
 };
 
-/// Which bounds of the material description were active at a state (SCHEMAS of the cards: nothing is clamped
-/// in silence).
+/// Which bounds of the material description were active at a state (docs/explanation/materials.md, bounds:
+/// nothing is clamped in silence).
 struct Bounds {
   bool rho_r = false;   ///< properties held at their values for rho_r = 1
   bool nu = false;      ///< Poisson's ratio held in [0, 0.49]

@@ -78,9 +78,10 @@ std::string tolerance_words(const Comparison& c) {
 }
 
 std::string comparison_table(const Row& row) {
-  std::string text = "<div class=\"wide\"><table><thead><tr><th>number</th><th class=\"n\">paper</th><th "
-                     "class=\"n\">ours</th><th class=\"n\">difference</th>"
-                     "<th class=\"n\">tolerance</th></tr></thead><tbody>\n";
+  std::string text =
+      "<div class=\"wide\" tabindex=\"0\"><table><thead><tr><th>number</th><th class=\"n\">paper</th><th "
+      "class=\"n\">ours</th><th class=\"n\">difference</th>"
+      "<th class=\"n\">tolerance</th></tr></thead><tbody>\n";
   for (const Comparison& c : row.comparisons)
     fmt::format_to(std::back_inserter(text),
                    "<tr><td>{}</td><td class=\"n\">{:.4g}</td><td class=\"n\">{:.4g}</td><td "
@@ -167,7 +168,7 @@ std::string short_title(const std::string& title) { return title.substr(0, title
 
 std::string summary(const std::vector<Paper>& papers) {
   std::string text =
-      "<div class=\"wide\"><table><thead><tr><th>paper</th><th class=\"n\">rows</th><th "
+      "<div class=\"wide\" tabindex=\"0\"><table><thead><tr><th>paper</th><th class=\"n\">rows</th><th "
       "class=\"n\">reproduced</th><th class=\"n\">differing</th>"
       "<th class=\"n\">not comparable</th><th class=\"n\">with a number</th></tr></thead><tbody>\n";
   Tally all;
@@ -186,9 +187,10 @@ std::string summary(const std::vector<Paper>& papers) {
 }
 
 std::string source_table(const Data& data) {
-  std::string text = "<details><summary>The data: pools and presses, engine and date</summary>\n<div "
-                     "class=\"wide\"><table><thead><tr><th>in the catalogue</th><th class=\"n\">runs</th>"
-                     "<th class=\"n\">engine</th><th>pressed</th></tr></thead><tbody>\n";
+  std::string text =
+      "<details><summary>The data: pools and presses, engine and date</summary>\n<div "
+      "class=\"wide\" tabindex=\"0\"><table><thead><tr><th>in the catalogue</th><th class=\"n\">runs</th>"
+      "<th class=\"n\">engine</th><th>pressed</th></tr></thead><tbody>\n";
   for (const auto& s : data.sources())
     fmt::format_to(std::back_inserter(text),
                    "<tr><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td>{}</td></tr>\n",
@@ -203,7 +205,7 @@ std::string change_words(const std::vector<Change>& changed, const std::optional
                        escaped(earlier->engine));
   std::string text =
       fmt::format("<p class=\"out\">Against the numbers of engine {} {} changed by more than their error, or "
-                  "their row's verdict did:</p>\n<div class=\"wide\"><table><thead><tr>"
+                  "their row's verdict did:</p>\n<div class=\"wide\" tabindex=\"0\"><table><thead><tr>"
                   "<th>row</th><th>number</th><th class=\"n\">difference before</th><th "
                   "class=\"n\">now</th><th>verdict</th></tr></thead><tbody>\n",
                   escaped(earlier->engine), changed.size());
@@ -257,7 +259,7 @@ void write_page(const std::vector<Paper>& papers, const Data& data, const std::o
   const std::vector<Change> changed = earlier ? changes(papers, *earlier) : std::vector<Change>{};
   std::string html = fmt::format(
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-      "content=\"width=device-width, initial-scale=1\">\n"
+      "content=\"width=device-width, initial-scale=1\">\n<link rel=\"icon\" href=\"data:,\">\n"
       "<title>The papers, reproduced</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n<h1>The papers, "
       "reproduced</h1>\n"
       "<p>Every figure and table of the papers that holds a result, beside what Platen says. A row is "

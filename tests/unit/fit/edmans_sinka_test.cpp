@@ -41,7 +41,7 @@ double brute_force(const press::Curve& curve, EdmansSinkaVariant variant) {
   return best;
 }
 
-// Parameters of the size of the ERRATA's fits to independent finite elements: k = 4.1, delta_t = 0.09-0.12.
+// Parameters of the size of fits to independent finite elements: k = 4.1, delta_t = 0.09-0.12.
 TEST(FitEdmansSinka, RecoversTheParametersOfItsOwnCurveForEveryVariant) {
   for (const auto variant : variants) {
     const auto fit =

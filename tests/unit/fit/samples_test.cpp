@@ -24,7 +24,8 @@ TEST(Errors, AreTheClosedFormsForALineOfTheWrongSlope) {
   EXPECT_NEAR(error.e_a, 0.03 * std::sqrt(4 / 3.0 / 0.5), 1e-7);
 }
 
-// ERRATA on (7): it scales as delta^(-1/2). A curve stretched four times in delta has half the e_a.
+// docs/notation.md on e_a, (7): it scales as delta^(-1/2). A curve stretched four times in delta has half the
+// e_a.
 TEST(Errors, TheAreaErrorOfThePaperFallsWithTheRootOfTheOverlap) {
   const auto shape = [](double share) { return share + share * share; };
   const auto narrow = loading_curve([&](double x) { return shape(x / 0.125); }, 100, 0.125);
@@ -33,7 +34,7 @@ TEST(Errors, TheAreaErrorOfThePaperFallsWithTheRootOfTheOverlap) {
   EXPECT_NEAR(errors_of_scaled(narrow, 1.1).relative_l2, errors_of_scaled(wide, 1.1).relative_l2, 1e-12);
 }
 
-TEST(Errors, ThePeakErrorCountsALawThatIsTooLow) { // ERRATA on (8): with the absolute value
+TEST(Errors, ThePeakErrorCountsALawThatIsTooLow) { // docs/notation.md on e_p, (8): with the absolute value
   EXPECT_NEAR(errors_of_scaled(loading_curve([](double x) { return x; }), 0.9).e_p, 0.1, 1e-12);
 }
 

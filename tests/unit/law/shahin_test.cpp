@@ -33,13 +33,15 @@ TEST(Shahin,
   }
 }
 
-TEST(Shahin, LeastPressureFromEitherRadius) { // ERRATA, DC, 1/m = 1, x = 0.45: H_bar = 1.615 or 1.192
+TEST(Shahin,
+     LeastPressureFromEitherRadius) { // docs/laws/shahin.md, die, 1/m = 1, x = 0.45: H_bar = 1.615 or 1.192
   EXPECT_NEAR(Curve::make(LoadingCase::die, 1.0, ShahinVariant::published).at(0.45).H, 1.615, 0.0005);
   EXPECT_NEAR(Curve::make(LoadingCase::die, 1.0, ShahinVariant::hardening_minimum).at(0.45).H, 1.192, 0.0005);
 }
 
 TEST(Shahin,
-     PressureStaysPositiveWhereThePrintedFormDoesNot) { // ERRATA: SC, 1/m = 0.5, x = 0.2: printed -0.11
+     PressureStaysPositiveWhereThePrintedFormDoesNot) { // docs/laws/shahin.md: simple, 1/m = 0.5, x = 0.2:
+                                                        // printed -0.11
   const Curve c = Curve::make(LoadingCase::simple, 0.5);
   EXPECT_GT(c.at(0.2).H, 0.5);
   // printed: p = 3.101 - 1 under H_max e^(-1.748/m)

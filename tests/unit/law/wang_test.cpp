@@ -32,7 +32,8 @@ TEST(Wang, PublishedUnloadingCreatesEnergyAndSaysSo) {
   while (law.loading(gamma).F < 100) gamma *= 1.0001;
   const Response r = evaluate(law, State{}, gamma);
   EXPECT_FALSE(r.in_range);
-  // ERRATA: 1.68 times the work put in comes back, if the curve (17) is followed to its own end
+  // docs/laws/wang.md, variant published: 1.68 times the work put in comes back, if the curve (17) is
+  // followed to its own end
   const Unloading<double> end = law.unloading(gamma, law.loading(gamma));
   const double back = law.loading(gamma).F / (end.rate * (1 + end.alpha));
   EXPECT_NEAR(back / law.work(gamma), 1.68, 0.02);

@@ -96,8 +96,9 @@ TEST(RandomPaths, DissipationIsPlasticPowerWhereTheModuliStayWhatTheyAre) {
 }
 
 TEST(RandomPaths, DensityDependentModuliCanTakeMoreThanThePlasticPower) {
-  // ERRATA of the paper: the dissipation is tau:d_p less what densification adds to the stored energy at
-  // constant strain, and can be negative for soft materials. The least share met is reported.
+  // docs/explanation/press.md, energies: the dissipation is tau:d_p less what densification adds to the
+  // stored energy at constant strain, and can be negative for soft materials. The least share met is
+  // reported.
   std::mt19937 generator(33);
   double soft = 1, stiff = 1;
   for (const auto& m : corner_materials()) {

@@ -32,7 +32,7 @@ inline std::vector<VonMises> metals() {
           {100, 0.3, 1, ExponentialHardening{-0.5}},
           hollomon(1000, 1, 0.25),
           hollomon(1000, 1, 0.99996),          // Shahin, Table E.1, die, last row
-          {2000, 0.435, 1, Ludwik{3.1, 0.35}}, // his lead with the yield stress of ERRATA
+          {2000, 0.435, 1, Ludwik{3.1, 0.35}}, // his lead with a yield stress in its units
           {1000, 0.3, 1, Ludwik{2, 1.5}},
           {1000, 0.3, 1, HardeningTable{{0, 0.01, 0.1, 0.5}, {1, 1.4, 1.8, 1.7}}}};
 }

@@ -1,5 +1,5 @@
-// An elastic sphere of finite size, ERRATA.md: F = F_Hertz (1 + 0.55 sqrt(delta_bar)) for nu = 0.3. Unloading
-// retraces it, and its fit has closed bounds.
+// An elastic sphere of finite size, docs/laws/hertz.md: F = F_Hertz (1 + 0.55 sqrt(delta_bar)) for nu = 0.3.
+// Unloading retraces it, and its fit has closed bounds.
 
 #include "fit/edmans_sinka.hpp"
 #include "fit/unloading.hpp"

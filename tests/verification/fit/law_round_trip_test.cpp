@@ -12,8 +12,8 @@
 namespace platen {
 namespace {
 
-/// About MCC PH-200 (the example card of SCHEMAS.md) with unloading parameters of the size of ES Figs 15a,
-/// 15b.
+/// About MCC PH-200 (the example of docs/reference/law-card.md) with unloading parameters of the size of ES
+/// Figs 15a, 15b.
 law::EdmansSinkaMaterial material() {
   law::EdmansSinkaMaterial m;
   m.sigma_ref = 8.61e6;

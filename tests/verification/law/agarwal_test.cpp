@@ -55,7 +55,7 @@ TEST(Agarwal, ForceAndRadiusAreCloseToIndependentFiniteElements) {
     EXPECT_NEAR(ours.at(x[i]).F, F[i], (i == 0 ? 0.09 : 0.06) * F[i]);
     EXPECT_NEAR(ours.at(x[i]).a, a[i], 0.035 * a[i]);
   }
-  EXPECT_NEAR(printed.at(0.02).F / F[0], 1.24, 0.02); // ERRATA: +24 % at x = 0.02
+  EXPECT_NEAR(printed.at(0.02).F / F[0], 1.24, 0.02); // docs/laws/agarwal.md: +24 % at x = 0.02
   EXPECT_NEAR(printed.at(0.002).F / ours.at(0.002).F, 1.89,
               0.03); // and +89 % at 0.002, where ours meets the FE
 }
