@@ -3,9 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace platen::surrogate {
+
+bool grows(double times, const std::vector<double>& knots, const std::vector<double>& F_bar) {
+  const auto from = std::lower_bound(knots.begin(), knots.end(), 0.3 - 1e-9);
+  return from != knots.end() && F_bar.back() > times * F_bar[static_cast<std::size_t>(from - knots.begin())];
+}
 
 std::vector<double> input_of(const Surrogate& s, const std::vector<double>& coordinates) {
   if (coordinates.size() != s.low.size() || coordinates.size() != s.high.size())
