@@ -21,6 +21,21 @@ const system = new Proxy({}, {
   },
 });
 
+// Encodings: the browser knows them.
+function decode(name, nameSize, bytes, size, out, room) {
+  const memory = new Uint8Array(module.memory.buffer);
+  const label = { 'UTF-16LE': 'utf-16le', 'UTF-16BE': 'utf-16be', CP932: 'shift_jis', 'WINDOWS-1252': 'windows-1252' }[
+    decoder.decode(memory.slice(name, name + nameSize))] ?? 'windows-1252';
+  try {
+    const text = encoder.encode(new TextDecoder(label, { fatal: true, ignoreBOM: true }).decode(memory.slice(bytes, bytes + size)));
+    if (text.length > room) return -1;
+    memory.set(text, out);
+    return text.length;
+  } catch {
+    return -1;
+  }
+}
+
 const encoder = new TextEncoder(), decoder = new TextDecoder();
 
 function give(bytes) {
@@ -45,7 +60,7 @@ async function unpacked(url) {
 
 async function start() {
   const [instance, data] = await Promise.all([
-    WebAssembly.instantiateStreaming(fetch('explorer.wasm'), { wasi_snapshot_preview1: system }),
+    WebAssembly.instantiateStreaming(fetch('explorer.wasm'), { wasi_snapshot_preview1: system, page: { decode } }),
     unpacked('catalogue.gz')]);
   module = instance.instance.exports;
   module._initialize();

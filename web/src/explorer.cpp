@@ -191,7 +191,9 @@ std::string Explorer::curves(const Asked& asked, std::vector<double>& numbers) {
     try {
       auto b = beside_of(name, *material_);
       b.texts.merge(place(asked.radius_m, asked.on_plane));
-      const auto law = law::make_law(name, "", b.texts);
+      fit::LawCard own;
+      own.law = name;
+      const auto law = fit::make_law(own, b.texts);
       for (int i = 0; i < points; ++i) {
         const auto r = law::evaluate(law, {}, overlap(i));
         put({r.force, static_cast<double>(r.in_range)});

@@ -1,0 +1,19 @@
+// What prediction and the three questions need of the catalogue, in one compressed file.
+// node catalogue.mjs CATALOGUE OUT.gz
+import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { gzipSync } from 'node:zlib';
+
+const [catalogue, out] = process.argv.slice(2);
+const pools = join(catalogue, 'pools');
+const surrogates = readdirSync(pools).sort() // in the order in which the program asks them
+  .map((pool) => join(pools, pool, 'surrogate.txt')).filter(existsSync)
+  .map((file) => {
+    const text = readFileSync(file, 'utf8'), guide = text.indexOf('\nguide ');
+    return guide < 0 ? text : text.slice(0, guide + 1); // a page presses nothing first
+  });
+const known = /^model = "(elastic|von-mises|vmdc)"/m;
+const cards = Object.fromEntries(readdirSync(join(catalogue, 'materials')).sort()
+  .map((file) => [file.replace(/\.toml$/, ''), readFileSync(join(catalogue, 'materials', file), 'utf8')])
+  .filter(([, text]) => known.test(text) && !/^hardening/m.test(text)));
+writeFileSync(out, gzipSync(JSON.stringify({ surrogates, cards }), { level: 9 }));
