@@ -13,7 +13,20 @@ const surrogates = readdirSync(pools).sort() // in the order in which the progra
     return guide < 0 ? text : text.slice(0, guide + 1); // a page presses nothing first
   });
 const known = /^model = "(elastic|von-mises|vmdc)"/m;
-const cards = Object.fromEntries(readdirSync(join(catalogue, 'materials')).sort()
-  .map((file) => [file.replace(/\.toml$/, ''), readFileSync(join(catalogue, 'materials', file), 'utf8')])
-  .filter(([, text]) => known.test(text) && !/^hardening/m.test(text)));
+const cards = readdirSync(join(catalogue, 'materials')).sort()
+  .map((file) => ({ id: file.replace(/\.toml$/, ''), text: readFileSync(join(catalogue, 'materials', file), 'utf8') }))
+  .filter(({ text }) => known.test(text) && !/^hardening/m.test(text)).map(({ id, text }) => card(id, text));
+
+/// These cards are flat: a key, and a number or a text.
+function card(id, text) {
+  const sections = { '': {} };
+  let now = '';
+  for (const line of text.split('\n')) {
+    const head = /^\[(\w+)\]/.exec(line), entry = /^(\w+) = (?:"(.*)"|([\d.e+-]+))\s*(?:#.*)?$/.exec(line);
+    if (head) sections[now = head[1]] = {};
+    else if (entry) sections[now][entry[1]] = entry[2] ?? Number(entry[3]);
+    else if (line.trim() && !line.startsWith('#')) throw new Error(`${id}: not understood: ${line}`);
+  }
+  return { id, name: sections[''].name, model: sections[''].model, parameters: sections.parameters, source: sections.source?.default };
+}
 writeFileSync(out, gzipSync(JSON.stringify({ surrogates, cards }), { level: 9 }));

@@ -69,9 +69,11 @@ function changed({ byHand = true } = {}) {
   if (byHand) $('note').textContent = '';
   ask('update', { material: materialText(), curves: curvesText(), top: state.top, at: state.at }, (answer) => {
     draw(answer);
+    if (!marked) marked = performance.mark('first curve');
     later();
   });
 }
+let marked = null;
 
 let laterTimer = 0;
 function later() {

@@ -66,7 +66,8 @@ async function start() {
   module._initialize();
   const { surrogates: files, cards } = JSON.parse(decoder.decode(data));
   for (const file of files) call('load', file), ++surrogates;
-  return Object.entries(cards).map(([id, card]) => ({ id, ...JSON.parse(call('card', card)) }));
+  return cards.map((card) => ({ ...card, parameters: JSON.parse(call('card',
+    Object.entries({ name: card.name, model: card.model, ...card.parameters }).map((line) => line.join('=')).join('\n'))) }));
 }
 
 // Between questions: what makes the next answers come sooner.

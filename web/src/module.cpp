@@ -49,14 +49,11 @@ template <class Work> int guarded(Work work) {
   return 1;
 }
 
-Json card_json(const material::Card& card) {
-  Json parameters;
-  for (const auto& p : material::parameters(card.material)) parameters.put(p.key, p.value);
+/// All numbers of a material, in SI.
+std::string numbers_of(const material::Material& m) {
   Json json;
-  json.put("name", card.material.name).put("model", std::string(model_name(card.material.model)));
-  json.put("parameters", parameters);
-  if (!card.sources.empty()) json.put("source", card.sources.front().second);
-  return json;
+  for (const auto& p : material::parameters(m)) json.put(p.key, p.value);
+  return json.text();
 }
 
 } // namespace
@@ -79,9 +76,9 @@ EXPORT(load) int load() {
 /// What is worth doing before the next question, a small part; 1: there is more.
 EXPORT(prepare) int prepare() { return explorer.prepare(); }
 
-/// A material card as JSON.
+/// name, model and parameters as a card has them: all of its numbers.
 EXPORT(card) int card() {
-  return guarded([] { out = card_json(material::read_card(core::parse_toml(in, "card"))).text(); });
+  return guarded([] { out = numbers_of(web::material_of(request())); });
 }
 
 /// name, model, parameters: the law of the material.
