@@ -15,7 +15,7 @@ if [ -z "${ZIG:-}" ]; then
 fi
 version=$(sed -n 's/^project(platen VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 make --no-print-directory -s -j "${PLATEN_JOBS:-$(nproc)}" -f web/Makefile BUILD="$build" ZIG="$ZIG" VERSION="$version"
-rm -rf "$out"/*
+rm -rf "${out:?}"/*
 cp web/page/* "$build/explorer.wasm" "$out"
 node web/catalogue.mjs catalogue "$out/catalogue.gz"
 # What the page keeps, under a name that changes with it.
