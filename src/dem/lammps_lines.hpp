@@ -10,8 +10,8 @@ namespace platen::dem {
 
 struct ParticleType {
   fit::LawCard card;
-  double radius_m = 0; ///< of the smallest
-  double density = 0;  ///< kg/m^3
+  double radius_m = 0;   ///< of the smallest
+  double density = 0;    ///< kg/m^3
   std::string path = {}; ///< where LAMMPS finds the card
 };
 

@@ -28,10 +28,10 @@ const superscript = (k) => String(k).replace(/./g, (c) => '⁰¹²³⁴⁵⁶⁷
 
 export class Chart {
   /// x, y: { title, unit, log }; right: room for labels.
-  constructor(host, { x, y, height, right = 12, label }) {
+  constructor(host, { x, y, height, right = 12, label, role = 'img' }) {
     Object.assign(this, { x, y, height, right, host });
     this.width = 0;
-    this.svg = element('svg', { role: 'img', 'aria-label': label, 'font-family': 'Helvetica, Arial, sans-serif', 'font-size': 12 });
+    this.svg = element('svg', { role, 'aria-label': label, 'font-family': 'Helvetica, Arial, sans-serif', 'font-size': 12 });
     this.label = label;
     host.append(this.svg);
     const id = `clip-${Chart.count = (Chart.count ?? 0) + 1}`;

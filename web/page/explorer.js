@@ -241,7 +241,7 @@ function closeQuestions() {
 // --- pictures ------------------------------------------------------------------------------------------------------------------------
 
 const overlap = { title: 'overlap  γ', unit: 'm' };
-const force = new Chart($('force'), { x: overlap, y: { title: 'force  F', unit: 'N' }, height: 430, right: 130, label: 'Force over overlap: loading, unloading loops, error band, other laws' });
+const force = new Chart($('force'), { role: 'group', x: overlap, y: { title: 'force  F', unit: 'N' }, height: 430, right: 130, label: 'Force over overlap: loading, unloading loops, error band, other laws' });
 const radius = new Chart($('radius'), { x: overlap, y: { title: 'contact radius  a', unit: 'm' }, height: 230, label: 'Contact radius over overlap' });
 const pressure = new Chart($('pressure'), { x: overlap, y: { title: 'mean pressure  p', unit: 'Pa' }, height: 230, label: 'Mean pressure over overlap' });
 const restitution = new Chart($('restitution'), { x: { title: 'velocity  v', unit: 'm/s', log: true }, y: { title: 'restitution  e', unit: '' }, height: 230, label: 'Coefficient of restitution over velocity' });
@@ -430,7 +430,8 @@ function verdict() {
   setText('verdict-word', title);
   const why = p.reasons.length ? sentenceOf(p.reasons.join('; ')) + ' ' : '';
   const measuredBy = p.verdict === 'inside' ? '' : ` To know better, press it: platen derive material.toml -o out.`;
-  setText('why', `${why}Nine tenths of such curves lie in the blue band; this one is expected to be ${percent(p.expected)} off.${measuredBy}`);
+  const expected = why.includes('expected to be') ? '' : `The curve is expected to be ${percent(p.expected)} off. `;
+  setText('why', `${why}${expected}Nine tenths of the points of such curves lie in the blue band.${measuredBy}`);
   $('near').innerHTML = p.near.map((text) => { const [name, rest] = text.split(': '); return `<li><strong>${name}</strong> ${rest ?? ''}</li>`; }).join('');
   setText('origin', `Interpolated between ${p.runs} materials of pool ${p.pool}, pressed by finite elements (engine ${p.engine}, Platen ${p.version}); from elements to law: to δ/R = ${Number(p.end.toPrecision(3))}.`);
   lawChips(p.laws);

@@ -6,7 +6,7 @@ import { shortened } from './quantity.js';
 const version = '1';
 
 export function initial() {
-  return { model: 'vmdc', name: 'MCC PH-200', values: starting(allOf('vmdc')), ...starting(particle), against: 'sphere',
+  return { model: 'vmdc', name: 'Base case', values: starting(allOf('vmdc')), ...starting(particle), against: 'sphere',
     beside: [...models.vmdc.beside], top: 0.7, at: 0.7 };
 }
 

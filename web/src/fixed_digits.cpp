@@ -1,5 +1,5 @@
-// What std::to_chars asks for numbers from 2^53 on, and with a precision. libc++ has tables of 100 kB for it; printf
-// of musl is exact as well. The functions are libc++'s own, so that its archive's are not needed.
+// What std::to_chars asks for numbers from 2^53 on, and with a precision. libc++ has tables of 100 kB for it;
+// printf of musl is exact as well. The functions are libc++'s own, so that its archive's are not needed.
 
 #include <charconv>
 #include <cstdint>
@@ -20,12 +20,13 @@ to_chars_result written(const char* format, char* first, char* last, double valu
 
 } // namespace
 
-__attribute__((visibility("default"))) to_chars_result __d2fixed_buffered_n(char* first, char* last, double value,
+__attribute__((visibility("default"))) to_chars_result __d2fixed_buffered_n(char* first, char* last,
+                                                                            double value,
                                                                             uint32_t precision) {
   return written("%.*f", first, last, value, precision);
 }
-__attribute__((visibility("default"))) to_chars_result __d2exp_buffered_n(char* first, char* last, double value,
-                                                                          uint32_t precision) {
+__attribute__((visibility("default"))) to_chars_result __d2exp_buffered_n(char* first, char* last,
+                                                                          double value, uint32_t precision) {
   return written("%.*e", first, last, value, precision);
 }
 

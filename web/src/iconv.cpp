@@ -1,4 +1,5 @@
-// The browser knows encodings; the C library's tables of them are large. As much of iconv as measure/text.cpp asks.
+// The browser knows encodings; the C library's tables of them are large. As much of iconv as measure/text.cpp
+// asks.
 
 #include <iconv.h>
 
@@ -7,9 +8,10 @@
 extern "C" {
 
 /// UTF-8 of bytes in an encoding; its size, or -1 where they are none.
-__attribute__((import_module("page"), import_name("decode"))) int page_decode(const char* encoding, std::size_t,
-                                                                              const char* bytes, std::size_t,
-                                                                              char* out, std::size_t room);
+__attribute__((import_module("page"), import_name("decode"))) int page_decode(const char* encoding,
+                                                                              std::size_t, const char* bytes,
+                                                                              std::size_t, char* out,
+                                                                              std::size_t room);
 
 iconv_t iconv_open(const char*, const char* from) { return const_cast<char*>(from); }
 int iconv_close(iconv_t) { return 0; }

@@ -50,7 +50,14 @@ class MonotoneCurve {
   void at(double x, double& y, double& slope) const {
     if (x <= x_.front()) return void((y = y_.front(), slope = x == x_.front() ? slope_.front() : 0));
     if (x >= x_.back()) return void((y = y_.back(), slope = x == x_.back() ? slope_.back() : 0));
-    const auto i = static_cast<std::size_t>(std::upper_bound(x_.begin(), x_.end(), x) - x_.begin()) - 1;
+    between(interval(x), x, y, slope);
+  }
+  /// Of an x between the first and the last knot: the knot below it.
+  [[nodiscard]] std::size_t interval(double x) const {
+    return static_cast<std::size_t>(std::upper_bound(x_.begin() + 1, x_.end() - 1, x) - x_.begin()) - 1;
+  }
+  /// Value and slope by the cubic of an interval.
+  void between(std::size_t i, double x, double& y, double& slope) const {
     const double h = x_[i + 1] - x_[i], t = (x - x_[i]) / h, rise = y_[i + 1] - y_[i];
     const double c2 = 3 * rise - h * (2 * slope_[i] + slope_[i + 1]),
                  c3 = h * (slope_[i] + slope_[i + 1]) - 2 * rise;
@@ -185,6 +192,7 @@ class KnotCurve {
         if (slope > 0) w = std::min(w, alpha * here / slope); // starts as steeply as the loading curve ends
         for (std::size_t back = 1; back <= xs.size(); back += 1 + back / 16) { // densest near by
           const std::size_t j = xs.size() - back;
+          if ((here - xs[j]) * (1 - room) >= w) break; // nor do those farther away bound it
           w = std::min(w, (here - xs[j]) / (1 - std::pow(Fs[j] / F, 1 / alpha)) * (1 - room));
         }
         w = std::min(w, (work - lost - room * put_in) * (1 + alpha) / F);
@@ -194,14 +202,24 @@ class KnotCurve {
     recovered = MonotoneCurve(u, ln_share);
   }
 
-  /// Simpson's rule, over R_e^2 and in x.
+  /// Simpson's rule, over R_e^2 and in x; between two knots, or beyond the last.
   [[nodiscard]] double work_between(double from, double to) const {
+    if (from >= x_last)
+      return (to - from) * (std::exp(force.value(std::log(x_last))) + end_slope * ((from + to) / 2 - x_last));
     constexpr int parts = 8;
     const double h = (to - from) / parts;
-    const auto F = [&](double x) { return loading(x / pair.x_per_gamma).F / (pair.R_e * pair.R_e); };
-    double sum = 0;
-    for (int k = 0; k < parts; ++k)
-      sum += h / 6 * (F(from + k * h) + 4 * F(from + (k + 0.5) * h) + F(from + (k + 1) * h));
+    const std::size_t i = force.interval(std::log(from + h / 2));
+    const auto F = [&](double x) {
+      double y = 0, slope = 0;
+      force.between(i, std::log(x), y, slope);
+      return std::exp(y);
+    };
+    double sum = 0, left = F(from);
+    for (int k = 0; k < parts; ++k) {
+      const double right = F(from + (k + 1) * h);
+      sum += h / 6 * (left + 4 * F(from + (k + 0.5) * h) + right);
+      left = right;
+    }
     return sum;
   }
 
