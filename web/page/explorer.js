@@ -362,17 +362,20 @@ function contact(numbers, anew) {
     const n = last.numbers;
     visited = [[0, 0]];
     for (let i = 1; i < last.curves.points && n[5 * i] < most; ++i) visited.push([n[5 * i], n[5 * i + 1]]);
+    for (let i = 0; i < (last.way?.length ?? 0); i += 2) visited.push([last.way[i], last.way[i + 1]]);
+    last.way = null;
   }
   visited.push([gamma, F]);
   if (visited.length > 3000) visited.splice(0, 1000);
   let d = '';
   visited.forEach(([x, y], i) => { d += (i ? 'L' : 'M') + force.px(x).toFixed(1) + ' ' + Math.max(-4000, force.py(y)).toFixed(1); });
-  trace.setAttribute('d', anew && gamma < most ? '' : d);
+  trace.setAttribute('d', d);
   dot.setAttribute('transform', `translate(${force.px(gamma).toFixed(1)} ${force.py(F).toFixed(1)})`);
   dot.setAttribute('aria-valuenow', (100 * state.at).toFixed(1));
   dot.setAttribute('aria-valuetext', `overlap ${words(gamma, 'm', 3)}, force ${words(F, 'N', 3)}, ${branches[branch]}`);
-  const rows = [['overlap', words(gamma, 'm', 6, true)], ['force', words(F, 'N', 6, true)], ['contact radius', words(a, 'm', 6, true)],
-    ['mean pressure', words(p, 'Pa', 6, true)], ['stiffness', words(k, 'N/m', 6, true)], ['lost work', words(Math.max(0, lost), 'J', 6, true)], ['branch', branches[branch]]];
+  const apart = branch === 0; // the law's numbers fade out there, below any that mean something
+  const rows = [['overlap', words(gamma, 'm', 6, true)], ['force', words(F, 'N', 6, true)], ['contact radius', words(apart ? 0 : a, 'm', 6, true)],
+    ['mean pressure', words(p, 'Pa', 6, true)], ['stiffness', words(apart ? 0 : k, 'N/m', 6, true)], ['lost work', words(Math.max(0, lost), 'J', 6, true)], ['branch', branches[branch]]];
   if ($('readout').children.length !== rows.length)
     $('readout').innerHTML = rows.map(([name]) => `<div><dt>${name}</dt><dd data-of="${name}"></dd></div>`).join('');
   rows.forEach(([, value], i) => { const dd = $('readout').children[i].lastChild; if (dd.textContent !== value) dd.textContent = value; });

@@ -89,7 +89,14 @@ function update({ material, curves, top, at }) {
   const end = reply.curves.end_m;
   module.forget();
   module.step(top * end);
-  if (at !== top) module.step(at * end);
+  reply.way = []; // of unloading, to be drawn
+  for (let i = 0; at < top && i < 24; ++i) {
+    const u = i / 24;
+    module.step((top + (at - top) * u) * end);
+    const [overlap, force] = numbers();
+    reply.way.push(overlap, force);
+  }
+  if (at < top) module.step(at * end);
   reply.contact = numbers();
   return reply;
 }

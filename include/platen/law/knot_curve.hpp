@@ -54,7 +54,13 @@ class MonotoneCurve {
   }
   /// Of an x between the first and the last knot: the knot below it.
   [[nodiscard]] std::size_t interval(double x) const {
-    return static_cast<std::size_t>(std::upper_bound(x_.begin() + 1, x_.end() - 1, x) - x_.begin()) - 1;
+    std::size_t i = 0;
+    for (std::size_t n = x_.size() - 1; n > 1;) { // without branches: asked for in no order
+      const std::size_t half = n / 2;
+      i += x_[i + half] <= x ? half : 0;
+      n -= half;
+    }
+    return i;
   }
   /// Value and slope by the cubic of an interval.
   void between(std::size_t i, double x, double& y, double& slope) const {
@@ -135,10 +141,12 @@ class KnotCurve {
       l.a = std::exp(radius.value(std::log(x_last)));
     } else {
       const double u = std::log(x);
-      force.at(u, y, slope);
+      const std::size_t i = force.interval(u);
+      force.between(i, u, y, slope);
       l.F = std::exp(y);
       l.slope = l.F * slope / x;
-      l.a = std::exp(radius.value(u));
+      radius.between(i, u, y, slope);
+      l.a = std::exp(y);
     }
     l.F *= F_scale;
     l.slope *= F_scale * pair.x_per_gamma;
@@ -186,7 +194,7 @@ class KnotCurve {
         double y = 0, slope = 0;
         force.at(at, y, slope);
         const double F = std::exp(y), alpha = exponent.value(at);
-        const double put_in = xs.empty() ? 0 : work_between(xs.back(), here);
+        const double put_in = xs.empty() ? 0 : put_in_between(xs.back(), Fs.back(), here, F);
         work += put_in;
         double w = std::min(here, alpha * F / std::exp(stiffness.value(at)));
         if (slope > 0) w = std::min(w, alpha * here / slope); // starts as steeply as the loading curve ends
@@ -200,6 +208,12 @@ class KnotCurve {
         xs.push_back(here), Fs.push_back(F), u.push_back(at), ln_share.push_back(std::log(w / here));
       }
     recovered = MonotoneCurve(u, ln_share);
+  }
+
+  /// Between two points of the fine grid, where Simpson's rule needs no parts.
+  [[nodiscard]] double put_in_between(double from, double F_from, double to, double F_to) const {
+    const double middle = (from + to) / 2;
+    return (to - from) / 6 * (F_from + 4 * std::exp(force.value(std::log(middle))) + F_to);
   }
 
   /// Simpson's rule, over R_e^2 and in x; between two knots, or beyond the last.
