@@ -6,6 +6,7 @@
 #include "dem/lammps_lines.hpp"
 
 #include <cmath>
+#include <filesystem>
 
 namespace platen::python {
 namespace {
@@ -111,7 +112,8 @@ void add_laws(nb::module_& m) {
          const std::vector<double>& densities, double delta_bar) {
         std::vector<dem::ParticleType> types;
         for (std::size_t i = 0; i < cards.size(); ++i)
-          types.push_back({cards[i], radii.at(i), densities.at(i)});
+          types.push_back(
+              {cards[i], radii.at(i), densities.at(i), std::filesystem::absolute(cards[i].file).string()});
         return dem::lammps_lines(types, delta_bar);
       },
       nb::arg("cards"), nb::arg("radius"), nb::arg("density"), nb::arg("delta_bar"),

@@ -5,11 +5,11 @@
 #include "core/file.hpp"
 #include "core/number.hpp"
 #include "core/say.hpp"
+#include "fit/law_words.hpp"
 #include "material/card.hpp"
 #include "plot/compare_picture.hpp"
 #include "plot/gnuplot.hpp"
 #include "press/curve_csv.hpp"
-#include "press/yield_watch.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -63,24 +63,6 @@ Named law_of(const std::string& item) {
 }
 
 bool is_curve(const std::string& item) { return item.ends_with(".csv"); }
-
-/// What a material card says in the words of the laws. A model with its strength under another name gives
-/// that.
-law::ParameterTexts texts_of(const material::Material& m) {
-  law::ParameterTexts texts;
-  for (const auto& p : material::parameters(m.model)) {
-    const auto dot = p.key.rfind('.');
-    texts[dot == std::string::npos ? p.key : p.key.substr(dot + 1)] = core::number_text(p.value);
-  }
-  if (const auto gamma = texts.find("Gamma_Pa"); gamma != texts.end()) texts["sigma_y_Pa"] = gamma->second;
-  if (const auto sigma_c = texts.find("sigma_c_Pa"); sigma_c != texts.end())
-    texts["sigma_y_Pa"] = sigma_c->second;
-  texts["E_Pa"] = core::number_text(material::initial_E(m.model));
-  texts["nu"] = core::number_text(material::initial_nu(m.model));
-  if (const auto [phi_deg, sigma_c] = press::drucker_prager_strength(m.model); sigma_c > 0)
-    texts["phi_deg"] = core::number_text(phi_deg), texts["sigma_c_Pa"] = core::number_text(sigma_c);
-  return texts;
-}
 
 bool knows(const law::LawInfo& info, const std::string& key) {
   return std::ranges::any_of(info.parameters, [&](const auto& p) { return p.key == key; }) ||
@@ -146,7 +128,8 @@ std::vector<fit::Trace> traces_of(const Options& o, const fit::Reference& refere
     shared["sigma_c_Pa"] = core::number_text(first.sigma_c_Pa);
   }
   if (!o.material.empty())
-    for (const auto& [key, text] : texts_of(material::read_card(o.material).material)) shared[key] = text;
+    for (const auto& [key, text] : fit::law_words(material::read_card(o.material).material))
+      shared[key] = text;
   LawArguments given;
   given.parameters = o.parameters;
   const auto asked = parameters_of(given);

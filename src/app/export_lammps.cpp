@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -50,6 +51,7 @@ std::vector<dem::ParticleType> types_of(const Options& o) {
   std::vector<dem::ParticleType> types;
   for (std::size_t i = 0; i < o.laws.size(); ++i) {
     dem::ParticleType t{fit::read_law_card(o.laws[i]), of_type(o.radii, i)};
+    t.path = std::filesystem::absolute(t.card.file).string();
     t.density = o.materials.empty() ? of_type(o.densities, i) : density_in(of_type(o.materials, i));
     types.push_back(std::move(t));
   }

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 
 namespace platen::dem {
@@ -70,11 +69,8 @@ std::string lammps_lines(const std::vector<ParticleType>& types, double delta_ba
                           delta_bar, k);
       stiffest[i] = std::max(stiffest[i], k);
       stiffest[j] = std::max(stiffest[j], k);
-      const auto path = [](const ParticleType& of) {
-        return std::filesystem::absolute(of.card.file).string();
-      };
-      pairs += i == j ? fmt::format("pair_coeff {0} {0} {1}\n", j + 1, path(t))
-                      : fmt::format("pair_coeff {} {} {} {}\n", i + 1, j + 1, path(types[i]), path(t));
+      pairs += i == j ? fmt::format("pair_coeff {0} {0} {1}\n", j + 1, t.path)
+                      : fmt::format("pair_coeff {} {} {} {}\n", i + 1, j + 1, types[i].path, t.path);
     }
   }
   double step = law::infinity;

@@ -10,11 +10,12 @@ namespace platen::dem {
 
 struct ParticleType {
   fit::LawCard card;
-  double radius_m = 0; ///< of the smallest
-  double density = 0;  ///< kg/m^3
+  double radius_m = 0;   ///< of the smallest
+  double density = 0;    ///< kg/m^3
+  std::string path = {}; ///< where LAMMPS finds the card
 };
 
-/// Cards of particle types 1, 2, ..., which must be files: LAMMPS reads them. The time step is stable for
+/// Cards of particle types 1, 2, ..., which LAMMPS reads again. The time step is stable for
 /// every pair of types up to `delta_bar`, the largest delta/R that will be reached; 0: as far as cards and
 /// laws hold. InvalidInput where nothing says how far, where a law has no stiffness, and for two cards that
 /// the plug-in would refuse.

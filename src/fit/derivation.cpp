@@ -6,7 +6,7 @@
 #include "fit/wang.hpp"
 #include "press/case_card.hpp"
 #include "press/curve_csv.hpp"
-#include "press/yield_watch.hpp"
+#include "press/strength.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

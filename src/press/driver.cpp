@@ -4,6 +4,7 @@
 #include "press/case_card.hpp"
 #include "press/confined.hpp"
 #include "press/snapshot.hpp"
+#include "press/strength.hpp"
 #include "press/yield_watch.hpp"
 
 #include <fmt/format.h>

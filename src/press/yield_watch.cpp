@@ -19,16 +19,6 @@ constexpr double beside = 1.4;
 /// The zone under the contact is what flows at least this deep, in contact radii.
 constexpr double core_depth = 0.25;
 
-struct Strength {
-  using Pair = std::pair<double, double>;
-  Pair operator()(const material::VonMises& m) const {
-    return {0, std::holds_alternative<material::PerfectlyPlastic>(m.hardening) ? m.sigma_y : 0};
-  }
-  Pair operator()(const material::DruckerPrager& m) const { return {m.friction_deg(), m.sigma_c}; }
-  Pair operator()(const material::MohrCoulomb& m) const { return {m.phi_deg, m.reference_stress()}; }
-  Pair operator()(const auto&) const { return {0, 0}; }
-};
-
 /// Norm of the plastic Hencky strain of a point: PEMAG of WG Fig. 3, sqrt(2/3 e:e), of the shape reached.
 double plastic_magnitude(const fe::Quad::State& point) {
   const auto [a, b, c] = fe::Quad::plastic_strain(point);
@@ -36,10 +26,6 @@ double plastic_magnitude(const fe::Quad::State& point) {
 }
 
 } // namespace
-
-std::pair<double, double> drucker_prager_strength(const material::Model& model) {
-  return std::visit(Strength{}, model);
-}
 
 /// Where the Gauss points are, and which elements lie beside each other and at the sphere.
 void YieldWatch::learn(const fe::Solid<fe::Quad>& solid) {

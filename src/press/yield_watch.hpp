@@ -9,10 +9,6 @@
 
 namespace platen::press {
 
-/// Friction angle (degrees) and uniaxial compressive strength (Pa) that a model shares with linear
-/// Drucker-Prager in triaxial compression: WG (5)-(7), (14), (15). Zeros where there are none.
-std::pair<double, double> drucker_prager_strength(const material::Model&);
-
 class YieldWatch {
  public:
   using Stepper = press::Stepper<fe::Quad>;

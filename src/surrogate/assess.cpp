@@ -1,18 +1,12 @@
 #include "surrogate/assess.hpp"
 
-#include "core/catalogue.hpp"
-#include "core/error.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace platen::surrogate {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double certain = 0.03, usable = 0.1; ///< expected relative errors of a curve: inside, near the edge
 constexpr double least_reach = 0.1;            ///< delta/R0 to which a law near the edge must reach
@@ -26,25 +20,6 @@ std::string per_cent(double share) { return fmt::format("{:.2g} %", 100 * share)
 void note(Assessment& a, Verdict verdict, std::string reason) {
   a.verdict = std::max(a.verdict, verdict);
   a.reasons.push_back(std::move(reason));
-}
-
-/// Files of a folder "pools" in the order of their names, each pool once.
-std::vector<fs::path> surrogate_files() {
-  std::vector<fs::path> files;
-  for (const auto& catalogue : core::catalogues()) {
-    std::error_code error;
-    std::vector<fs::path> here;
-    for (const auto& pool : fs::directory_iterator(catalogue / "pools", error))
-      if (fs::is_regular_file(pool.path() / "surrogate.txt", error))
-        here.push_back(pool.path() / "surrogate.txt");
-    std::sort(here.begin(), here.end());
-    for (const auto& file : here)
-      if (std::none_of(files.begin(), files.end(), [&](const fs::path& other) {
-            return other.parent_path().filename() == file.parent_path().filename();
-          }))
-        files.push_back(file);
-  }
-  return files;
 }
 
 } // namespace
@@ -115,24 +90,13 @@ std::string words(const Surrogate& s, const Near& near) {
   return text;
 }
 
-Answer ask_catalogue(const Description& d) {
-  std::optional<Answer> best;
-  for (const auto& file : surrogate_files()) {
-    Surrogate s = read_surrogate(file);
-    if (s.model != d.model) continue;
-    Prediction p = predict(s, d);
-    Assessment a = assess(s, d, p);
-    if (best && std::pair(best->assessment.verdict, best->prediction.expected.back()) <=
-                    std::pair(a.verdict, p.expected.back()))
-      continue;
-    best = Answer{std::move(s), std::move(p), std::move(a)};
-  }
-  if (!best)
-    throw core::InvalidInput(fmt::format("the catalogue has no surrogate of {} materials; `platen study "
-                                         "surrogate` makes one of a pool, `platen derive` "
-                                         "presses the material",
-                                         d.model));
-  return std::move(*best);
+std::optional<Answer> ask(const Surrogate& s, const Description& d, const std::optional<Answer>& other) {
+  Prediction p = predict(s, d);
+  Assessment a = assess(s, d, p);
+  if (other && std::pair(other->assessment.verdict, other->prediction.expected.back()) <=
+                   std::pair(a.verdict, p.expected.back()))
+    return {};
+  return Answer{s, std::move(p), std::move(a)};
 }
 
 } // namespace platen::surrogate

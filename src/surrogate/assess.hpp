@@ -3,6 +3,7 @@
 
 #include "surrogate/surrogate.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,9 @@ struct Answer {
   Prediction prediction;
   Assessment assessment;
 };
+
+/// What a surrogate says of a material, where it knows it better than the other answer; equal is not better.
+std::optional<Answer> ask(const Surrogate&, const Description&, const std::optional<Answer>& other);
 
 /// The surrogates of the catalogues, and of these the one that knows the material best. InvalidInput where
 /// there is none of its model.

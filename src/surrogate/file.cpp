@@ -206,8 +206,11 @@ std::string text_of(const Surrogate& s) {
 }
 
 Surrogate read_surrogate(const std::filesystem::path& file) {
-  const std::string text = core::read_file(file);
-  Reader in(text, file.string());
+  return parse_surrogate(core::read_file(file), file.string());
+}
+
+Surrogate parse_surrogate(std::string_view text, const std::string& file) {
+  Reader in(text, file);
   Surrogate s;
   s.pool = in.word("pool");
   s.model = in.word("model");
@@ -231,8 +234,7 @@ Surrogate read_surrogate(const std::filesystem::path& file) {
   }
   const auto varying = input_of(s, s.low).size();
   const int layers = in.whole("layers");
-  if (layers == 0)
-    throw core::InvalidInput(fmt::format("{}: it has no layer; the file is damaged", file.string()));
+  if (layers == 0) throw core::InvalidInput(fmt::format("{}: it has no layer; the file is damaged", file));
   for (int i = 0; i < layers; ++i)
     s.layers.push_back(read_layer(in, varying, s.knots.size(), 2 * s.unload_delta_bar.size()));
   s.band = in.number("band");

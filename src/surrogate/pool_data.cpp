@@ -46,11 +46,6 @@ Pressed pressed(const std::vector<std::vector<double>>& rows, std::vector<double
 
 } // namespace
 
-bool grows(double times, const std::vector<double>& knots, const std::vector<double>& F_bar) {
-  const auto from = std::lower_bound(knots.begin(), knots.end(), 0.3 - 1e-9);
-  return from != knots.end() && F_bar.back() > times * F_bar[static_cast<std::size_t>(from - knots.begin())];
-}
-
 PoolData read_pool_data(const fs::path& folder, Take take) {
   const auto pool = study::read_pool(folder);
   const auto runs = core::read_csv(folder / "runs.csv");

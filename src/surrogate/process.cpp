@@ -1,8 +1,6 @@
 #include "surrogate/process.hpp"
 
-#include <Eigen/Dense>
-#include <ceres/gradient_problem.h>
-#include <ceres/gradient_problem_solver.h>
+#include "surrogate/kernel.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,116 +10,59 @@ namespace {
 
 using Eigen::MatrixXd, Eigen::VectorXd;
 
-constexpr std::size_t most_for_lengths = 300; ///< inputs: the cost grows with the cube
 constexpr std::size_t most_for_variance = 160;
 
-double correlation(double r) { return (1 + r + r * r / 3) * std::exp(-r); }
-/// Its derivative over r^2, times -6.
-double steepness(double r) { return (1 + r) * std::exp(-r); }
-
-double distance(std::span<const double> w, std::span<const double> x, std::span<const double> y) {
-  double squares = 0;
-  for (std::size_t k = 0; k < w.size(); ++k) squares += std::pow(w[k] * (x[k] - y[k]), 2);
-  return std::sqrt(5 * squares);
+/// Distances and numbers of the inputs, those that are asked first: nearest, and of equals the first.
+std::vector<std::pair<double, std::size_t>> nearest_first(const Process& p, const Inputs& inputs,
+                                                          std::span<const double> at, std::size_t& asked) {
+  std::vector<std::pair<double, std::size_t>> order;
+  for (std::size_t i = 0; i < inputs.size(); ++i) order.emplace_back(distance(p.w, inputs.row(i), at), i);
+  asked = std::min(order.size(), most_for_variance);
+  std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(asked), order.end());
+  return order;
 }
-
-double plane_product(std::span<const double> x, std::span<const double> y) {
-  double sum = 1;
-  for (std::size_t k = 0; k < x.size(); ++k) sum += (x[k] - 0.5) * (y[k] - 0.5);
-  return sum;
-}
-
-double covariance(const Process& p, std::span<const double> x, std::span<const double> y) {
-  return p.variance * (correlation(distance(p.w, x, y)) + p.plane * plane_product(x, y));
-}
-
-/// The matrix over v.
-MatrixXd matrix_of(const Process& p, const Inputs& inputs) {
-  const auto n = static_cast<Eigen::Index>(inputs.size());
-  Process unit = p;
-  unit.variance = 1;
-  MatrixXd R(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = 0; j <= i; ++j)
-      R(i, j) = R(j, i) =
-          covariance(unit, inputs.row(static_cast<std::size_t>(i)), inputs.row(static_cast<std::size_t>(j)));
-    R(i, i) += p.nugget;
-  }
-  return R;
-}
-
-/// Where the prior of ln w, ln b and ln n is centred, and how wide it is: lengths of one and a half times the
-/// range within a factor of four or so, slopes as large as the values, a nugget of a thousandth of the
-/// deviation.
-struct Prior {
-  double centre, width;
-};
-constexpr Prior of_w{-0.4, 1.4}, of_plane{0, 2}, of_nugget{-13, 3};
-
-/// -2 ln of the posterior density over (ln w..., ln b, ln n), v at its best.
-class Objective final : public ceres::FirstOrderFunction {
- public:
-  Objective(const Inputs& inputs, std::span<const double> values)
-      : inputs_(inputs),
-        y_(Eigen::Map<const VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()))) {}
-
-  int NumParameters() const override { return static_cast<int>(inputs_.dimensions) + 2; }
-
-  static Process at(const double* theta, std::size_t dimensions) {
-    Process p;
-    for (std::size_t k = 0; k < dimensions; ++k) p.w.push_back(std::exp(theta[k]));
-    p.plane = std::exp(theta[dimensions]);
-    p.nugget = std::exp(theta[dimensions + 1]) + least_nugget;
-    return p;
-  }
-
-  bool Evaluate(const double* theta, double* cost, double* gradient) const override {
-    const std::size_t d = inputs_.dimensions;
-    for (std::size_t k = 0; k < d + 2; ++k)
-      if (!(std::abs(theta[k]) < 40)) return false;
-    const Process p = at(theta, d);
-    const MatrixXd R = matrix_of(p, inputs_);
-    const Eigen::LLT<MatrixXd> factor(R);
-    if (factor.info() != Eigen::Success) return false;
-    const VectorXd z = factor.solve(y_);
-    const auto n = R.rows();
-    const double v = y_.dot(z) / static_cast<double>(n);
-    if (!(v > 0)) return false;
-    const auto lower = factor.matrixLLT().diagonal();
-    *cost = static_cast<double>(n) * std::log(v) + 2 * lower.array().log().sum();
-    for (std::size_t k = 0; k < d + 2; ++k)
-      *cost += std::pow((theta[k] - prior(k).centre) / prior(k).width, 2);
-    if (!gradient) return true;
-    // d cost = sum_ij G_ij dR_ij
-    const MatrixXd G = factor.solve(MatrixXd::Identity(n, n)) - z * z.transpose() / v;
-    std::vector<double> slope(d + 2, 0);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      slope[d + 1] += G(i, i) * (p.nugget - least_nugget);
-      for (Eigen::Index j = 0; j <= i; ++j) {
-        const auto x = inputs_.row(static_cast<std::size_t>(i)), y = inputs_.row(static_cast<std::size_t>(j));
-        const double twice = (i == j ? 1 : 2) * G(i, j);
-        slope[d] += twice * p.plane * plane_product(x, y);
-        if (i == j) continue;
-        const double s = twice * steepness(distance(p.w, x, y)) * (-5.0 / 3);
-        for (std::size_t k = 0; k < d; ++k) slope[k] += s * std::pow(p.w[k] * (x[k] - y[k]), 2);
-      }
-    }
-    for (std::size_t k = 0; k < d + 2; ++k)
-      gradient[k] = slope[k] + 2 * (theta[k] - prior(k).centre) / std::pow(prior(k).width, 2);
-    return true;
-  }
-
- private:
-  static constexpr double least_nugget = 1e-10; // the matrix stays positive definite in double precision
-  Prior prior(std::size_t k) const {
-    return k < inputs_.dimensions ? of_w : k == inputs_.dimensions ? of_plane : of_nugget;
-  }
-
-  const Inputs& inputs_;
-  VectorXd y_;
-};
 
 } // namespace
+
+/// R = L L^T of all inputs.
+struct Known {
+  MatrixXd L_inverse, inverse;
+};
+
+namespace {
+
+/// k^T R^-1 k over the inputs that are asked: over all of them, less what the others T add. With q = R^-1 k
+/// that is q_T^T (R^-1)_TT^-1 q_T, the closed form of leaving out.
+double explained_by_known(const Process& p, const Inputs& inputs, std::span<const double> at) {
+  std::size_t asked = 0;
+  const auto order = nearest_first(p, inputs, at, asked);
+  VectorXd k(static_cast<Eigen::Index>(inputs.size()));
+  for (const auto& [r, i] : order)
+    k(static_cast<Eigen::Index>(i)) = correlation(r) + p.plane * plane_product(inputs.row(i), at);
+  const VectorXd z = p.known->L_inverse.triangularView<Eigen::Lower>() * k;
+  const auto left = static_cast<Eigen::Index>(order.size() - asked);
+  if (left == 0) return z.squaredNorm();
+  MatrixXd P(left, left);
+  VectorXd q(left);
+  for (Eigen::Index a = 0; a < left; ++a) {
+    const auto i = static_cast<Eigen::Index>(order[asked + static_cast<std::size_t>(a)].second);
+    q(a) = p.known->L_inverse.col(i).dot(z);
+    for (Eigen::Index b = 0; b <= a; ++b)
+      P(a, b) =
+          p.known->inverse(static_cast<Eigen::Index>(order[asked + static_cast<std::size_t>(b)].second), i);
+  }
+  return z.squaredNorm() - P.llt().matrixL().solve(q).squaredNorm();
+}
+
+} // namespace
+
+void remember(Process& p, const Inputs& inputs) {
+  const auto n = static_cast<Eigen::Index>(inputs.size());
+  auto known = std::make_shared<Known>();
+  known->L_inverse = matrix_of(p, inputs).llt().matrixL().solve(MatrixXd::Identity(n, n));
+  known->inverse = known->L_inverse.transpose() * known->L_inverse;
+  p.known = std::move(known);
+}
 
 double Process::mean(const Inputs& inputs, std::span<const double> at) const {
   double sum = 0;
@@ -151,36 +92,15 @@ void pass_through(Process& p, const Inputs& inputs, std::span<const double> valu
   for (Eigen::Index i = 0; i < n; ++i) p.weights.push_back(z(i) / p.variance);
 }
 
-Process fit_process(const Inputs& inputs, std::span<const double> values) {
-  const std::size_t d = inputs.dimensions;
-  Inputs first = inputs;
-  first.values.resize(std::min(inputs.size(), most_for_lengths) * d);
-  std::vector<double> best;
-  double least = INFINITY;
-  // The likelihood can have several maxima: long and short lengths to begin with.
-  for (const double start : {-1.2, 0.3}) {
-    std::vector<double> theta(d, start);
-    theta.push_back(of_plane.centre);
-    theta.push_back(of_nugget.centre + 3);
-    const ceres::GradientProblem problem(new Objective(first, values.first(first.size())));
-    ceres::GradientProblemSolver::Options options;
-    options.logging_type = ceres::SILENT;
-    options.max_num_iterations = 120;
-    options.function_tolerance = 1e-7;
-    ceres::GradientProblemSolver::Summary summary;
-    ceres::Solve(options, problem, theta.data(), &summary);
-    if (best.empty() || summary.final_cost < least) best = theta, least = summary.final_cost;
-  }
-  Process p = Objective::at(best.data(), d);
-  pass_through(p, inputs, values);
-  return p;
-}
-
 double variance_at(const Process& p, const Inputs& inputs, std::span<const double> at) {
-  std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t i = 0; i < inputs.size(); ++i) order.emplace_back(distance(p.w, inputs.row(i), at), i);
+  const auto variance = [&](double explained) {
+    return p.variance * std::max(0.0, 1 + p.plane * plane_product(at, at) - explained);
+  };
+  if (p.known) return variance(explained_by_known(p, inputs, at));
+  std::size_t asked = 0;
+  auto order = nearest_first(p, inputs, at, asked);
+  order.resize(asked);
   std::sort(order.begin(), order.end());
-  order.resize(std::min(order.size(), most_for_variance));
   Inputs near{inputs.dimensions, {}};
   VectorXd k(static_cast<Eigen::Index>(order.size()));
   for (const auto& [r, i] : order) {
@@ -188,8 +108,7 @@ double variance_at(const Process& p, const Inputs& inputs, std::span<const doubl
     k(static_cast<Eigen::Index>(near.size())) = correlation(r) + p.plane * plane_product(row, at);
     near.values.insert(near.values.end(), row.begin(), row.end());
   }
-  const double explained = matrix_of(p, near).llt().matrixL().solve(k).squaredNorm();
-  return p.variance * std::max(0.0, 1 + p.plane * plane_product(at, at) - explained);
+  return variance(matrix_of(p, near).llt().matrixL().solve(k).squaredNorm());
 }
 
 } // namespace platen::surrogate

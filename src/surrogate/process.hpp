@@ -7,6 +7,7 @@
 // Matern 5/2 with a length 1/w_i for each coordinate, on a plane whose slopes are part of it, and a nugget n.
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -21,12 +22,16 @@ struct Inputs {
   std::span<const double> row(std::size_t i) const { return {values.data() + i * dimensions, dimensions}; }
 };
 
+/// What variances need of all inputs at once; for those who ask at many places (remember()).
+struct Known;
+
 struct Process {
   std::vector<double> w;       ///< inverse lengths
   double variance = 1;         ///< v
   double plane = 0;            ///< b
   double nugget = 0;           ///< n
   std::vector<double> weights; ///< of the inputs, K^-1 y
+  std::shared_ptr<const Known> known = {};
 
   double mean(const Inputs&, std::span<const double> at) const;
 };
@@ -49,5 +54,8 @@ Process fit_process(const Inputs&, std::span<const double> values);
 /// Of the function at a place, without the nugget. Of many inputs the nearest alone are asked, so it is a
 /// little too large.
 double variance_at(const Process&, const Inputs&, std::span<const double> at);
+
+/// From now on variance_at() takes a part of the time, with the same result. Wants the inputs as they stay.
+void remember(Process&, const Inputs&);
 
 } // namespace platen::surrogate

@@ -68,18 +68,6 @@ Layer fit_change(const Surrogate& s, const PoolData& fine, const PoolData& coars
 
 } // namespace
 
-std::vector<double> input_of(const Surrogate& s, const std::vector<double>& coordinates) {
-  if (coordinates.size() != s.low.size() || coordinates.size() != s.high.size())
-    throw core::InvalidInput(
-        fmt::format("the surrogate of {} has {} coordinates where a material of {} has {}; "
-                    "make it again with `platen study surrogate`",
-                    s.pool, s.low.size(), s.model, coordinates.size()));
-  std::vector<double> input;
-  for (std::size_t k = 0; k < coordinates.size(); ++k)
-    if (s.high[k] - s.low[k] > 1e-9) input.push_back((coordinates[k] - s.low[k]) / (s.high[k] - s.low[k]));
-  return input;
-}
-
 Surrogate fit_surrogate(const Pools& pools) {
   const auto& [fine, coarse, guide] = pools;
   Surrogate s;
@@ -132,21 +120,6 @@ Loading press_guide(const Surrogate& s, const material::Material& material) {
                     material.name, s.knots.back()),
         0, 0, 0);
   return loading;
-}
-
-Prediction predict(const Surrogate& s, const Description& d, const Loading* guide) {
-  const Said said = said_of(s, d, guide);
-  const double band = guide ? s.guide->band : s.band;
-  const std::size_t branches = s.unload_delta_bar.size();
-  Prediction p{exponentials(said.F, 0, said.F.size()),
-               exponentials(said.a, 0, said.a.size()),
-               exponentials(said.unloading, 0, branches),
-               exponentials(said.unloading, branches, branches),
-               {},
-               {}};
-  for (const double variance : said.F_variance) p.band.push_back(band * std::sqrt(variance));
-  p.expected = expected_errors(s.knots, p.F_bar, said.F_variance);
-  return p;
 }
 
 } // namespace platen::surrogate

@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace platen::surrogate {
@@ -129,5 +130,6 @@ std::vector<double> input_of(const Surrogate&, const std::vector<double>& coordi
 std::string text_of(const Surrogate&);
 /// InvalidInput for a file that is none, or of another version.
 Surrogate read_surrogate(const std::filesystem::path&);
+Surrogate parse_surrogate(std::string_view text, const std::string& file);
 
 } // namespace platen::surrogate

@@ -4,7 +4,6 @@
 #include "platen/law/error.hpp"
 
 #include <array>
-#include <sstream>
 #include <string_view>
 
 namespace platen::law {
@@ -38,9 +37,8 @@ void require_rising(std::string_view law, const Curve& curve, double x_from, dou
     const double x = x_from + (x_to - x_from) * i / 256;
     const auto point = curve.at(x);
     if (point.a > 0 && point.F > 0 && point.slope >= 0) continue;
-    std::ostringstream out;
-    out << law << ": with these coefficients force or contact radius falls at delta/R = " << x;
-    throw BadParameter(out.str());
+    throw BadParameter(std::string(law) +
+                       ": with these coefficients force or contact radius falls at delta/R = " + text(x));
   }
 }
 

@@ -2,9 +2,10 @@
 // `prepare` refuses what cannot be a material or a geometry; nothing else in this folder throws.
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 namespace platen::law {
@@ -33,26 +34,29 @@ inline constexpr Range non_negative{0, infinity, false, true};
 inline constexpr Range radius_or_plane{0, infinity, true, false}; ///< infinity is a plane
 inline constexpr Range poisson{0, 0.5, false, true};
 
+/// Six digits, for messages.
+inline std::string text(double value) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%g", value);
+  return digits;
+}
+
 inline std::string text(const Range& range) {
-  std::ostringstream out;
-  out << (range.low_open ? '(' : '[') << range.low << ", " << range.high << (range.high_open ? ')' : ']');
-  return out.str();
+  return (range.low_open ? '(' : '[') + text(range.low) + ", " + text(range.high) +
+         (range.high_open ? ')' : ']');
 }
 
 inline void require(std::string_view law, std::string_view name, double value, const Range& range) {
   if (range.contains(value)) return; // false for NaN
-  std::ostringstream out;
-  out << law << ": " << name << " = " << value << " is not in " << text(range);
-  throw BadParameter(out.str());
+  throw BadParameter(std::string(law) + ": " + std::string(name) + " = " + text(value) + " is not in " +
+                     text(range));
 }
 
 /// A rigid-plastic law with a strength above the modulus gives many times the force of an elastic contact.
 inline void require_softer_than_elastic(std::string_view law, double kappa, double E) {
   if (!(kappa > E)) return;
-  std::ostringstream out;
-  out << law << ": kappa_Pa = " << kappa << " is above E_Pa = " << E
-      << ": such a body stays elastic, which this law leaves out; take hertz";
-  throw BadParameter(out.str());
+  throw BadParameter(std::string(law) + ": kappa_Pa = " + text(kappa) + " is above E_Pa = " + text(E) +
+                     ": such a body stays elastic, which this law leaves out; take hertz");
 }
 
 } // namespace platen::law

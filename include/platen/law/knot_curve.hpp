@@ -50,7 +50,20 @@ class MonotoneCurve {
   void at(double x, double& y, double& slope) const {
     if (x <= x_.front()) return void((y = y_.front(), slope = x == x_.front() ? slope_.front() : 0));
     if (x >= x_.back()) return void((y = y_.back(), slope = x == x_.back() ? slope_.back() : 0));
-    const auto i = static_cast<std::size_t>(std::upper_bound(x_.begin(), x_.end(), x) - x_.begin()) - 1;
+    between(interval(x), x, y, slope);
+  }
+  /// Of an x between the first and the last knot: the knot below it.
+  [[nodiscard]] std::size_t interval(double x) const {
+    std::size_t i = 0;
+    for (std::size_t n = x_.size() - 1; n > 1;) { // without branches: asked for in no order
+      const std::size_t half = n / 2;
+      i += x_[i + half] <= x ? half : 0;
+      n -= half;
+    }
+    return i;
+  }
+  /// Value and slope by the cubic of an interval.
+  void between(std::size_t i, double x, double& y, double& slope) const {
     const double h = x_[i + 1] - x_[i], t = (x - x_[i]) / h, rise = y_[i + 1] - y_[i];
     const double c2 = 3 * rise - h * (2 * slope_[i] + slope_[i + 1]),
                  c3 = h * (slope_[i] + slope_[i + 1]) - 2 * rise;
@@ -128,10 +141,12 @@ class KnotCurve {
       l.a = std::exp(radius.value(std::log(x_last)));
     } else {
       const double u = std::log(x);
-      force.at(u, y, slope);
+      const std::size_t i = force.interval(u);
+      force.between(i, u, y, slope);
       l.F = std::exp(y);
       l.slope = l.F * slope / x;
-      l.a = std::exp(radius.value(u));
+      radius.between(i, u, y, slope);
+      l.a = std::exp(y);
     }
     l.F *= F_scale;
     l.slope *= F_scale * pair.x_per_gamma;
@@ -179,12 +194,13 @@ class KnotCurve {
         double y = 0, slope = 0;
         force.at(at, y, slope);
         const double F = std::exp(y), alpha = exponent.value(at);
-        const double put_in = xs.empty() ? 0 : work_between(xs.back(), here);
+        const double put_in = xs.empty() ? 0 : put_in_between(xs.back(), Fs.back(), here, F);
         work += put_in;
         double w = std::min(here, alpha * F / std::exp(stiffness.value(at)));
         if (slope > 0) w = std::min(w, alpha * here / slope); // starts as steeply as the loading curve ends
         for (std::size_t back = 1; back <= xs.size(); back += 1 + back / 16) { // densest near by
           const std::size_t j = xs.size() - back;
+          if ((here - xs[j]) * (1 - room) >= w) break; // nor do those farther away bound it
           w = std::min(w, (here - xs[j]) / (1 - std::pow(Fs[j] / F, 1 / alpha)) * (1 - room));
         }
         w = std::min(w, (work - lost - room * put_in) * (1 + alpha) / F);
@@ -194,14 +210,30 @@ class KnotCurve {
     recovered = MonotoneCurve(u, ln_share);
   }
 
-  /// Simpson's rule, over R_e^2 and in x.
+  /// Between two points of the fine grid, where Simpson's rule needs no parts.
+  [[nodiscard]] double put_in_between(double from, double F_from, double to, double F_to) const {
+    const double middle = (from + to) / 2;
+    return (to - from) / 6 * (F_from + 4 * std::exp(force.value(std::log(middle))) + F_to);
+  }
+
+  /// Simpson's rule, over R_e^2 and in x; between two knots, or beyond the last.
   [[nodiscard]] double work_between(double from, double to) const {
+    if (from >= x_last)
+      return (to - from) * (std::exp(force.value(std::log(x_last))) + end_slope * ((from + to) / 2 - x_last));
     constexpr int parts = 8;
     const double h = (to - from) / parts;
-    const auto F = [&](double x) { return loading(x / pair.x_per_gamma).F / (pair.R_e * pair.R_e); };
-    double sum = 0;
-    for (int k = 0; k < parts; ++k)
-      sum += h / 6 * (F(from + k * h) + 4 * F(from + (k + 0.5) * h) + F(from + (k + 1) * h));
+    const std::size_t i = force.interval(std::log(from + h / 2));
+    const auto F = [&](double x) {
+      double y = 0, slope = 0;
+      force.between(i, std::log(x), y, slope);
+      return std::exp(y);
+    };
+    double sum = 0, left = F(from);
+    for (int k = 0; k < parts; ++k) {
+      const double right = F(from + (k + 1) * h);
+      sum += h / 6 * (left + 4 * F(from + (k + 0.5) * h) + right);
+      left = right;
+    }
     return sum;
   }
 

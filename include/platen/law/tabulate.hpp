@@ -231,10 +231,19 @@ template <class L> class Tabulator {
       const double v = c.left + h * k / of;
       return k == 0 ? left * (1 + side) : k == of ? right * (1 - side) : v * v;
     };
+    const auto near = [](double value, double reference, double error) {
+      return std::abs(value - reference) <= error * std::abs(reference);
+    };
     Sample s[checks + 1];
-    for (int k = 0; k <= checks; ++k) s[k] = at(x_at(k, checks));
+    for (const int k : {0, checks}) s[k] = at(x_at(k, checks));
     c.F = rising(h, Cubic::hermite(h, s[0].F, 2 * c.left * s[0].slope, s[checks].F,
                                    2 * std::sqrt(right) * s[checks].slope));
+    static_assert(checks == 9);
+    for (const int k : {5, 2, 7, 1, 3, 4, 6, 8}) {
+      s[k] = at(x_at(k, checks));
+      if (right > left * (1 + narrowest) && !near(c.F.value(h * k / checks), s[k].F, accuracy.force))
+        return false; // soonest: half of all cells end here
+    }
     c.a = Cubic::through(h, s[0].a, s[checks / 3].a, s[2 * checks / 3].a, s[checks].a);
     c.alpha = s[0].alpha;
     c.alpha_slope = (s[checks].alpha - s[0].alpha) / h;
@@ -249,9 +258,6 @@ template <class L> class Tabulator {
       c.w = Cubic::through(h, w(0), w(checks / 3), w(2 * checks / 3), w(checks));
     }
     if (is_elastic) c.alpha = s[0].slope * left / s[0].F, c.alpha_slope = 0;
-    const auto near = [](double value, double reference, double error) {
-      return std::abs(value - reference) <= error * std::abs(reference);
-    };
     bool follows = is_elastic || ends_at_origin == 0 || ends_at_origin == checks + 1;
     double lost[checks + 1] = {}, lost_formula = 0, work_here = work;
     for (int k = 0; k <= checks; ++k) {

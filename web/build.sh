@@ -1,0 +1,24 @@
+#!/bin/bash
+# Makes the explorer: a folder of static files. web/build.sh OUT_DIR
+set -eu -o pipefail
+[ $# = 1 ] || { echo "usage: web/build.sh OUT_DIR" >&2; exit 2; }
+mkdir -p "$1" && out=$(realpath "$1")
+cd "$(dirname "$0")/.."
+build=${PLATEN_WEB_BUILD:-build/web}
+ziglang=0.17.1 # its clang, libc++ and wasi-libc
+venv=build/venv
+if [ -z "${ZIG:-}" ]; then
+  [ -x $venv/bin/python ] || python3 -m venv $venv
+  $venv/bin/python -c "import importlib.metadata as m; assert m.version('ziglang') == '$ziglang'" 2>/dev/null ||
+    $venv/bin/python -m pip install --quiet "ziglang==$ziglang"
+  ZIG=$($venv/bin/python -c 'import os, ziglang; print(os.path.join(os.path.dirname(ziglang.__file__), "zig"))')
+fi
+version=$(sed -n 's/^project(platen VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
+make --no-print-directory -s -j "${PLATEN_JOBS:-$(nproc)}" -f web/Makefile BUILD="$build" ZIG="$ZIG" VERSION="$version"
+rm -rf "${out:?}"/*
+cp web/page/* "$build/explorer.wasm" "$out"
+node web/catalogue.mjs catalogue "$out/catalogue.gz"
+# What the page keeps, under a name that changes with it.
+files=$(cd "$out" && ls | grep -v service-worker.js | sed 's/.*/"&"/' | paste -sd,)
+key=$(cd "$out" && cat * | sha256sum | cut -c1-12)
+sed -i "s|'VERSION'|'platen-explorer-$key'|; s|= FILES|= [\"./\",$files]|" "$out/service-worker.js"

@@ -1,0 +1,50 @@
+#pragma once
+// The state behind the page: a material, the law predicted for it, a contact that is dragged, a measured
+// curve.
+
+#include "fit/law_card.hpp"
+#include "material/models.hpp"
+#include "surrogate/assess.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace platen::web {
+
+struct Asked {
+  double radius_m, density; ///< [m], [kg/m^3]
+  bool on_plane;            ///< against a rigid plane; else two equal spheres
+  std::vector<std::string> beside;
+};
+
+/// Of name, model and parameters. InvalidInput.
+material::Material material_of(const law::ParameterTexts&);
+
+class Explorer {
+ public:
+  void load(const std::string& surrogate);
+  int prepare();
+  std::string predict(const law::ParameterTexts& material);
+  std::string curves(const Asked&, std::vector<double>& numbers);
+  void step(double overlap, std::vector<double>& numbers);
+  void forget() { state_ = {}; }
+  std::string file(const std::string& name, double radius_m, double density, bool on_plane) const;
+  std::string measured(const std::string& bytes, const std::string& name, std::vector<double>& numbers);
+  std::string fit_strength(const law::ParameterTexts& material, double radius_m) const;
+
+ private:
+  surrogate::Answer ask(const material::Material&) const;
+  law::Law law_of(double radius_m, bool on_plane) const;
+  const fit::LawCard& card() const;
+
+  std::vector<surrogate::Surrogate> surrogates_;
+  std::optional<material::Material> material_;
+  std::optional<fit::LawCard> card_; ///< as `platen predict -o` writes it
+  std::vector<double> knots_, band_;
+  law::Law law_;
+  law::State state_;
+  std::vector<double> delta_m_, force_N_; ///< measured: loading of one platen
+};
+
+} // namespace platen::web

@@ -1,0 +1,4 @@
+#include "core/interrupt.hpp"
+
+/// A page sends no signals.
+bool platen::core::interrupted() { return false; }
