@@ -33,7 +33,7 @@ export default defineConfig({
       ...(explorer ? [{ text: 'Explorer', link: '/explorer/index.html', target: '_self' }] : []),
       { text: version, items: [{ text: 'The papers', link: '/papers' }, { text: 'What changed', link: '/changelog' }, { text: 'All pages', link: '/contents' }] },
     ],
-    sidebar: sections.map(({ text, items }, at) => ({ text, collapsed: at > 2,
+    sidebar: sections.map(({ text, items }, at) => ({ text, collapsed: at > 1,
       items: items.map(([text, path]) => ({ text, link: page(path) })) })),
     outline: [2, 3],
     search: { provider: 'local', options: { detailedView: false,
