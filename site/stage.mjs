@@ -144,7 +144,7 @@ const runGallery = async made => {
 }
 
 const galleryPage = folders => {
-  const page = ['# Gallery\n', 'Each picture is made while this site is built, by the command under it. `platen` is the program of `./run build`; scripts run from the folder of the repository.\n']
+  const page = ['# Gallery\n', 'Each picture is made by the command under it, most of them while this site is built. `platen` is the program of `./run build`; scripts run from the folder of the repository.\n']
   for (const one of gallery) {
     cpSync(one.file ? join(root, one.file) : join(folders.get(one.command.join('\n')), one.made), join(out, 'gallery', one.picture))
     page.push(`## ${one.title} {#${one.name}}\n`, one.words + '\n', `![${one.title}](./gallery/${one.picture})\n`,
