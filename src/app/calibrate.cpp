@@ -86,7 +86,7 @@ void calibrate_law(const Options& o) {
   if (!flags.empty()) c.card.provenance.emplace_back("doubts", fmt::format("{}", fmt::join(flags, "; ")));
   if (!o.card.empty()) core::write_file(o.card, text_of(c.card));
   for (const auto& flag : flags) words += fmt::format("doubted: {}\n", flag);
-  fmt::print("{}", o.json ? json_of(c, flags) : words);
+  fmt::print(report_stream(o.card), "{}", o.json ? json_of(c, flags) : words);
 }
 
 } // namespace

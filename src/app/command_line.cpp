@@ -1,7 +1,16 @@
 #include "app/command_line.hpp"
 
-#include <CLI/CLI.hpp>
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "core/nearest.hpp"
+#include "core/say.hpp"
 
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
 #include <optional>
 
 namespace platen::app {
@@ -17,7 +26,9 @@ bool Option::given() const { return option_->count() > 0; }
 std::string Option::name() const { return option_->get_name(); }
 
 Command Command::add_subcommand(const std::string& name, const std::string& what) {
-  return Command(*app_->add_subcommand(name, what));
+  auto* command = app_->add_subcommand(name, what);
+  command->fallthrough(); // --quiet is the program's, and may stand anywhere
+  return Command(*command);
 }
 void Command::require_subcommand() { app_->require_subcommand(1); }
 template <class T> Option Command::add_option(const std::string& names, T& value, const std::string& what) {
@@ -37,26 +48,92 @@ void Command::callback(std::function<void()> action) { app_->callback(std::move(
 
 void refuse_missing(const std::string& argument) { throw CLI::RequiredError(argument); }
 
+std::FILE* report_stream(const std::string& output) {
+  return output == core::standard_stream ? stderr : stdout;
+}
+
+namespace {
+
+Page page_of(const CLI::App& app, const std::string& above) {
+  Page page{above + app.get_name(), app.get_description(), app.get_footer(), {}, {}};
+  for (const auto* option : app.get_options()) {
+    Page::Entry entry;
+    entry.positional = option->get_positional();
+    if (entry.positional) entry.names.push_back(option->get_name());
+    for (const auto& name : option->get_snames()) entry.names.push_back("-" + name);
+    for (const auto& name : option->get_lnames()) entry.names.push_back("--" + name);
+    if (!entry.positional && option->get_type_size() != 0) entry.value = option->get_type_name();
+    entry.what = option->get_description();
+    page.entries.push_back(std::move(entry));
+  }
+  for (const auto* command : app.get_subcommands({}))
+    page.commands.push_back(page_of(*command, page.name + " "));
+  return page;
+}
+
+std::vector<std::string> names_of_commands(const Page& page) {
+  std::vector<std::string> names;
+  for (const auto& command : page.commands) names.push_back(command.name.substr(page.name.size() + 1));
+  return names;
+}
+
+/// What CLI11 says of a line that is no good, with a suggestion where a command or an option is misspelt.
+[[noreturn]] void refuse(const Page& program, int argc, const char* const* argv, const std::string& reason) {
+  const Page* page = &program;
+  std::vector<std::string> options;
+  int at = 1;
+  for (; at <= argc; ++at) { // down to the command that was typed
+    for (const auto& entry : page->entries)
+      if (!entry.positional) options.insert(options.end(), entry.names.begin(), entry.names.end());
+    if (at == argc || page->commands.empty()) break;
+    const auto names = names_of_commands(*page);
+    const auto found = std::ranges::find(names, argv[at]);
+    if (found == names.end()) break;
+    page = &page->commands[found - names.begin()];
+  }
+  const std::string help = fmt::format("; {} --help says more", page->name);
+  if (!page->commands.empty()) {
+    const auto names = names_of_commands(*page);
+    if (at >= argc)
+      throw core::InvalidInput(
+          fmt::format("{} needs one of: {}{}", page->name, fmt::join(names, ", "), help));
+    if (argv[at][0] != '-')
+      throw core::InvalidInput(fmt::format("there is no command '{} {}'{}", page->name, argv[at],
+                                           core::suggestion(argv[at], names)));
+  }
+  for (int i = at; i < argc; ++i) {
+    const std::string word = argv[i], name = word.substr(0, word.find('='));
+    if (name.size() < 2 || name[0] != '-' || std::ranges::count(options, name)) continue;
+    if (!std::isalpha(static_cast<unsigned char>(name[name[1] == '-' ? 2 : 1]))) continue; // a number
+    if (name[1] != '-' && std::ranges::count(options, name.substr(0, 2))) continue;        // -ofile
+    const std::string like = core::nearest(name, options);
+    throw core::InvalidInput(fmt::format("{} has no option {}{}{}", page->name, name,
+                                         like.empty() ? "" : fmt::format("; did you mean {}?", like),
+                                         like.empty() ? help : ""));
+  }
+  throw core::InvalidInput(reason + help);
+}
+
+} // namespace
+
 Program::Program(const std::string& name, const std::string& what, const std::string& version)
     : app_(std::make_unique<CLI::App>(what, name)) {
   app_->set_version_flag("--version", version);
+  app_->add_flag_callback("--quiet", core::be_quiet,
+                          "no notes and no progress; what goes wrong is still said");
 }
 Program::~Program() = default;
 
 Command Program::command() { return Command(*app_); }
 
-std::vector<std::pair<std::string, std::string>> Program::commands() const {
-  std::vector<std::pair<std::string, std::string>> list;
-  for (const auto* command : std::as_const(*app_).get_subcommands({}))
-    list.emplace_back(command->get_name(), command->get_description());
-  return list;
-}
+Page Program::page() const { return page_of(*app_, ""); }
 
-bool Program::parse(int argc, const char* const* argv) {
+void Program::parse(int argc, const char* const* argv) {
   try {
     app_->parse(argc, argv);
-  } catch (const CLI::ParseError& error) { return app_->exit(error) == 0; }
-  return true;
+  } catch (const CLI::Success& asked) { // --help, --version
+    app_->exit(asked);
+  } catch (const CLI::ParseError& error) { refuse(page(), argc, argv, error.what()); }
 }
 
 } // namespace platen::app

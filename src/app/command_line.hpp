@@ -2,6 +2,7 @@
 // The command line as the subcommands see it, with the names of CLI11, which stands behind. CLI11 is headers
 // alone, and compiling it costs more than a subcommand of ours does: command_line.cpp alone includes it.
 
+#include <cstdio>
 #include <functional>
 #include <memory>
 #include <string>
@@ -56,6 +57,21 @@ class Command {
 /// For callbacks: an argument that is needed in this combination is not there.
 [[noreturn]] void refuse_missing(const std::string& argument);
 
+/// Where a command's words go: standard output, unless `output`, the file that it writes, is that.
+std::FILE* report_stream(const std::string& output);
+
+/// A command as --help shows it, for whoever writes it down otherwise.
+struct Page {
+  struct Entry {
+    std::vector<std::string> names; ///< "--law", "-o"; of a positional argument its name alone
+    std::string value, what;        ///< value: as help shows it; empty for a flag
+    bool positional = false;
+  };
+  std::string name, what, footer; ///< name: with those of the commands above it, "platen study run"
+  std::vector<Entry> entries;
+  std::vector<Page> commands;
+};
+
 /// The program: its commands and the reading of what was typed.
 class Program {
  public:
@@ -63,10 +79,9 @@ class Program {
   ~Program();
 
   Command command();
-  std::vector<std::pair<std::string, std::string>> commands() const; ///< names, and what they do
-  /// Runs the callback of the command that was typed. False: the line was no good, and standard error says
-  /// why.
-  bool parse(int argc, const char* const* argv);
+  Page page() const;
+  /// Runs the callback of the command that was typed. InvalidInput: the line was no good.
+  void parse(int argc, const char* const* argv);
 
  private:
   std::unique_ptr<CLI::App> app_;

@@ -21,5 +21,7 @@ void add_calibrate(Command);
 void add_convert(Command);
 void add_predict(Command);
 void add_reproduce(Command);
+void add_manual(Command, const Program&);
+void add_completion(Command, const Program&);
 
 } // namespace platen::app

@@ -45,7 +45,7 @@ Named law_of(const std::string& item) {
   LawArguments& law = named.law;
   const auto parts = law::detail::split(item, ',');
   law.law = parts.front();
-  if (!std::filesystem::exists(law.law))
+  if (!core::is_there(law.law))
     if (const auto slash = law.law.find('/'); slash != std::string::npos && !law.law.ends_with(".toml")) {
       law.variant = law.law.substr(slash + 1);
       law.law.resize(slash);

@@ -60,9 +60,10 @@ void write(const Options& o, const std::string& text, const std::vector<std::str
     return;
   }
   core::write_file(o.card, text);
-  for (const auto& sentence : said) fmt::print("{}\n", sentence);
-  if (!left_over.empty()) fmt::print("without counterpart there:\n");
-  for (const auto& line : left_over) fmt::print("  {}\n", line);
+  std::FILE* report = report_stream(o.card);
+  for (const auto& sentence : said) fmt::print(report, "{}\n", sentence);
+  if (!left_over.empty()) fmt::print(report, "without counterpart there:\n");
+  for (const auto& line : left_over) fmt::print(report, "  {}\n", line);
 }
 
 void write_deck(const Options& o) {
@@ -75,7 +76,7 @@ void write_deck(const Options& o) {
 }
 
 void convert(const Options& o) {
-  const bool named = !std::filesystem::exists(o.deck);
+  const bool named = !core::is_there(o.deck);
   if (o.deck.ends_with(".toml") || (named && !o.deck.ends_with(".inp"))) return write_deck(o);
   if (named) throw core::InvalidInput(fmt::format("{}: there is no such file", o.deck));
   const auto decks = material::read_deck(core::read_file(o.deck), o.deck);

@@ -62,7 +62,7 @@ void fit_curve(const Options& o) {
   const auto fitting = measure::fit_law(input, options_of(o), core::say_line);
   if (fitting.card) core::write_file(o.card, text_of(*fitting.card));
   if (!o.picture.empty()) draw(fitting, o);
-  fmt::print("{}", std::visit(Report{fitting.curve, o.json}, fitting.fit));
+  fmt::print(report_stream(o.card), "{}", std::visit(Report{fitting.curve, o.json}, fitting.fit));
   for (const auto& flag : fitting.doubts) core::say_line("doubted: " + flag);
 }
 

@@ -71,7 +71,8 @@ void import(const Options& o) {
   std::vector<measure::Stages> stages;
   for (const auto& s : m.specimens) stages.push_back(measure::stages_of(s));
   if (!o.output.empty()) core::write_file(o.output, measure::curve_text(m, stages, machine));
-  fmt::print("{}", o.json ? json_of(m, stages, machine) : words_of(m, stages, machine));
+  fmt::print(report_stream(o.output), "{}",
+             o.json ? json_of(m, stages, machine) : words_of(m, stages, machine));
 }
 
 } // namespace

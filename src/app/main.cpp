@@ -1,7 +1,6 @@
 #include "app/commands.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
-#include "core/nearest.hpp"
 #include "core/say.hpp"
 #include "core/version.hpp"
 
@@ -13,7 +12,6 @@
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <vector>
 
 namespace {
 
@@ -26,24 +24,14 @@ constexpr const char* description =
     "Contact laws for plastic particles: material card, virtual press, fitted law.";
 
 int give_up(Exit code, std::string_view why) {
-  core::say(fmt::format("platen: {}\n", why));
+  core::say_last(fmt::format("platen: {}", why));
   return code;
 }
 
 void print_commands(const app::Program& program) {
   fmt::print("{}\n\n", description);
-  for (const auto& [name, what] : program.commands()) fmt::print("  platen {:<10} {}\n", name, what);
+  for (const auto& command : program.page().commands) fmt::print("  {:<17} {}\n", command.name, command.what);
   fmt::print("\nplaten COMMAND --help says more, with an example.\n");
-}
-
-void refuse_unknown_command(const app::Program& program, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return;
-  std::vector<std::string> names;
-  for (const auto& [name, what] : program.commands()) names.push_back(name);
-  for (const auto& name : names)
-    if (name == argv[1]) return;
-  throw core::InvalidInput(
-      fmt::format("there is no command '{}'{}", argv[1], core::suggestion(argv[1], names)));
 }
 
 int run(int argc, char** argv) {
@@ -66,8 +54,9 @@ int run(int argc, char** argv) {
   app::add_convert(command);
   app::add_predict(command);
   app::add_reproduce(command);
-  refuse_unknown_command(program, argc, argv);
-  if (!program.parse(argc, argv)) return bad_input;
+  app::add_manual(command, program);
+  app::add_completion(command, program);
+  program.parse(argc, argv);
   if (argc < 2) print_commands(program);
   return done;
 }

@@ -108,7 +108,8 @@ void predict(const Options& o) {
   if (!o.material.empty()) options.card = o.material;
   const auto [card, answer, near] = surrogate::predict_law(material, options, core::say_line);
   core::write_file(o.output, text_of(card));
-  fmt::print("{}", o.json ? json_of(material, answer, near) : words(o, material, answer, near));
+  fmt::print(report_stream(o.output), "{}",
+             o.json ? json_of(material, answer, near) : words(o, material, answer, near));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "core/catalogue.hpp"
 
 #include "core/error.hpp"
+#include "core/file.hpp"
 #include "core/nearest.hpp"
 
 #include <dlfcn.h>
@@ -47,7 +48,7 @@ std::vector<fs::path> catalogues() {
 fs::path find_card(std::string_view folder, std::string_view what) {
   const std::string asked(what);
   std::error_code error;
-  if (fs::is_regular_file(asked, error)) return asked;
+  if (asked == standard_stream || fs::is_regular_file(asked, error)) return asked;
   if (what.ends_with(".toml") || what.find('/') != std::string_view::npos)
     throw InvalidInput(fmt::format("{}: there is no such file", asked));
   if (!asked.empty())

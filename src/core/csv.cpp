@@ -110,8 +110,7 @@ Csv parse_csv(std::string_view text, const std::string& file) {
 }
 
 Csv read_csv(const std::filesystem::path& path) {
-  if (!std::filesystem::exists(path))
-    throw InvalidInput(fmt::format("{}: there is no such file", path.string()));
+  if (!is_there(path)) throw InvalidInput(fmt::format("{}: there is no such file", path.string()));
   return parse_csv(read_file(path), path.string());
 }
 

@@ -34,6 +34,14 @@ int sync(int file) {
   return errno;
 }
 
+std::string content_of(std::FILE* file, const fs::path& path) {
+  std::string content;
+  char buffer[1 << 16];
+  while (const auto count = std::fread(buffer, 1, sizeof buffer, file)) content.append(buffer, count);
+  if (std::ferror(file)) fail("cannot be read", path, errno);
+  return content;
+}
+
 /// `named`: as messages call the file.
 void write(const fs::path& path, std::string_view content, const fs::path& named) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
@@ -54,15 +62,20 @@ void write(const fs::path& path, std::string_view content, const fs::path& named
 
 } // namespace
 
+bool is_there(const fs::path& path) {
+  std::error_code error;
+  return path == standard_stream || fs::exists(path, error);
+}
+
 std::string read_file(const fs::path& path) {
+  if (path == standard_stream) {
+    static const std::string input = content_of(stdin, path);
+    return input;
+  }
   if (fs::is_directory(path)) throw IoError(fmt::format("{}: is a folder, a file is wanted", path.string()));
   File file(std::fopen(path.c_str(), "rb"));
   if (!file) fail("cannot be read", path, errno);
-  std::string content;
-  char buffer[1 << 16];
-  while (const auto count = std::fread(buffer, 1, sizeof buffer, file.get())) content.append(buffer, count);
-  if (std::ferror(file.get())) fail("cannot be read", path, errno);
-  return content;
+  return content_of(file.get(), path);
 }
 
 fs::path temporary_name(const fs::path& file) {
@@ -93,6 +106,11 @@ void put_in_place(const fs::path& temporary, const fs::path& file) {
 }
 
 void write_file(const fs::path& path, std::string_view content) {
+  if (path == standard_stream) {
+    if (std::fwrite(content.data(), 1, content.size(), stdout) != content.size() || std::fflush(stdout) != 0)
+      throw IoError(fmt::format("the output could not be written: {}", std::strerror(errno)));
+    return;
+  }
   const fs::path temporary = temporary_name(path);
   write(temporary, content, path);
   put_in_place(temporary, path);

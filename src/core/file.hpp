@@ -8,7 +8,13 @@
 
 namespace platen::core {
 
-/// The whole file. IoError when it cannot be read.
+/// As a file's name: standard input where one is read, standard output where one is written.
+inline constexpr const char* standard_stream = "-";
+
+/// Whether there is a file, a folder, or standard input of this name.
+bool is_there(const std::filesystem::path&);
+
+/// The whole file. IoError when it cannot be read. Standard input is the same each time that it is asked for.
 std::string read_file(const std::filesystem::path&);
 
 /// A name beside `file` under which it is written until it is whole; no other process uses the same.

@@ -10,5 +10,9 @@ namespace platen::core {
 void say(std::string_view);
 /// The same, as a line.
 void say_line(std::string_view);
+/// From here on `say` is silent; what ends the program is still said.
+void be_quiet();
+/// Says why the program ends, as a line.
+void say_last(std::string_view);
 
 } // namespace platen::core

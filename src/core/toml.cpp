@@ -73,8 +73,7 @@ Table parse_toml(std::string_view text, const std::string& file) {
 }
 
 Table read_toml(const std::filesystem::path& path) {
-  if (!std::filesystem::exists(path))
-    throw InvalidInput(fmt::format("{}: there is no such file", path.string()));
+  if (!is_there(path)) throw InvalidInput(fmt::format("{}: there is no such file", path.string()));
   const std::string text = read_file(path);
   if (const auto first = text.find_first_not_of(" \t\r\n"); first != text.npos && text[first] == '*')
     throw InvalidInput(

@@ -3,6 +3,7 @@
 #include "core/catalogue.hpp"
 #include "core/error.hpp"
 #include "core/fields.hpp"
+#include "core/file.hpp"
 #include "core/nearest.hpp"
 #include "core/number.hpp"
 #include "core/toml.hpp"
@@ -121,7 +122,7 @@ LawCard find_law_card(const std::string& what) {
       card.law = what;
       return card;
     }
-  if (std::filesystem::exists(what) || what.ends_with(".toml") || std::ranges::count(cards, what))
+  if (core::is_there(what) || what.ends_with(".toml") || std::ranges::count(cards, what))
     return read_law_card(what);
   std::string known;
   for (const auto& l : law::laws()) known += fmt::format("{}{}", known.empty() ? "" : ", ", l.name);

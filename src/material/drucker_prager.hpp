@@ -6,22 +6,26 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace platen::material {
 
-/// Linear Drucker-Prager with a circular section, K = 1 (Wang et al., eqs 1-7), p tension positive:
+/// Linear Drucker-Prager (Wang et al., eqs 1-7), p tension positive:
 ///
-///   q + p tan(beta) = d,   d = sigma_c (1 - tan(beta)/3)   (their eq. 6; = sigma_Y of eq. 14)
+///   t + p tan(beta) = d,   d = sigma_c (1 - tan(beta)/3)   (their eq. 6; = sigma_Y of eq. 14)
+///   t = q/2 (1 + 1/K - (1 - 1/K) (r/q)^3),   r^3 = 27/2 det(s)
 ///
-/// up to the apex p = d/tan(beta). Flow from q + p tan(psi): d(eps_v^p) = tan(psi) d(eps_q^p) on the line,
-/// and any direction between that and pure dilation at the apex. Perfectly plastic; phi = -eps_v^p is kept
-/// for the volume of the unloaded material alone.
+/// up to the apex p = d/tan(beta). K is the strength in triaxial extension over that in compression; with
+/// K = 1 the section is a circle and t = q. Flow from t + p tan(psi): with K = 1, d(eps_v^p) =
+/// tan(psi) d(eps_q^p) on the line, and any direction between that and pure dilation at the apex. Perfectly
+/// plastic; phi = -eps_v^p is kept for the volume of the unloaded material alone.
 struct DruckerPrager {
   double E;        ///< Young's modulus (Pa), > 0
   double nu;       ///< Poisson's ratio, in [0, 0.5)
   double beta_deg; ///< friction angle in the (p, q) plane (degrees), in (0, atan 3)
   double sigma_c;  ///< uniaxial compressive strength (Pa), > 0
   double psi_deg;  ///< dilation angle in the (p, q) plane (degrees), in [0, beta]; beta: associated
+  double flow_stress_ratio = 1; ///< K, in [7/9, 1]: below 7/9 the section is not convex
 
   static constexpr std::string_view name = "drucker-prager";
   static const CardSection<DruckerPrager>& card();
@@ -88,6 +92,15 @@ struct DruckerPrager {
   }
 
   double reference_stress() const { return sigma_c; }
+
+  bool circular() const { return flow_stress_ratio == 1; }
+
+  /// t + p tan(beta) - d (Pa) of principal stresses in any order.
+  double excess(const std::array<double, 3>& sigma) const;
+  /// Backward Euler where the section is no circle, see the .cpp.
+  [[nodiscard]] PrincipalResponse respond(const std::array<double, 3>& eps_trial) const;
+  /// Triaxial compression and extension, from the apex to p_low.
+  std::vector<YieldCurve> meridians(double p_low) const;
 
  private:
   static constexpr double degree = std::numbers::pi / 180;

@@ -160,7 +160,8 @@ class Converter {
                             criterion));
     one_row_only(k);
     const double beta = angle(k, 0, "beta"), K = or_zero(k, 0, 1) > 0 ? or_zero(k, 0, 1) : 1;
-    if (K != 1) leave(k, fmt::format("K = {:.4g}: the section is a circle here, K = 1", K));
+    if (K < 7.0 / 9 || K > 1)
+      refuse(k, fmt::format("K = {:.4g}: it must be in [7/9, 1], where the section is convex", K));
     const double psi = or_zero(k, 0, 2);
     const Keyword& h = keyword("DRUCKER PRAGER HARDENING");
     std::string type = h.parameter("TYPE");
@@ -177,13 +178,13 @@ class Converter {
     if (type != "COMPRESSION" && type != "TENSION" && type != "SHEAR")
       refuse(h, fmt::format("TYPE={} is none of COMPRESSION, TENSION, SHEAR", type));
     out_.said.push_back(
-        fmt::format("linear Drucker-Prager q + p tan(beta) = d in (p, q), p tension positive: d = {:.4g} "
+        fmt::format("linear Drucker-Prager {} + p tan(beta) = d in (p, q), p tension positive: d = {:.4g} "
                     "Pa, from TYPE={}",
-                    d, type));
+                    K == 1 ? "q" : "t", d, type));
     const double sigma_c = d / (1 - tan_deg(beta) / 3);
     if (!(sigma_c > 0))
       refuse(k, fmt::format("beta = {:.4g}: it must be below atan 3 = 71.57 degrees", beta));
-    return {E, nu, beta, six_digits(sigma_c), psi};
+    return {E, nu, beta, six_digits(sigma_c), psi, K};
   }
 
   MohrCoulomb mohr_coulomb() {

@@ -4,6 +4,7 @@
 #include "core/number.hpp"
 #include "material/card_section.hpp"
 #include "material/integrator.hpp"
+#include "material/principal.hpp"
 
 #include <fmt/format.h>
 
@@ -16,12 +17,9 @@
 namespace platen::material {
 namespace {
 
-using Vector = std::array<double, 3>;
-using Matrix = std::array<Vector, 3>;
+using principal::Vector, principal::Matrix, principal::Elasticity, principal::dot;
 
 constexpr double degree = std::numbers::pi / 180;
-
-double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// One plane of the yield surface: normal . sigma <= limit, flow along `flow`.
 struct Plane {
@@ -68,23 +66,6 @@ std::array<Plane, planes_count> planes(const MohrCoulomb& m) {
   return {shear(0, 2), shear(0, 1), shear(1, 2), cut(0), cut(1), cut(2)};
 }
 
-struct Elastic3 {
-  double lambda, G;
-  Vector stress(const Vector& eps) const {
-    const double v = eps[0] + eps[1] + eps[2], exp_v = std::exp(-v);
-    Vector sigma;
-    for (int A = 0; A < 3; ++A) sigma[A] = (lambda * v + 2 * G * eps[A]) * exp_v;
-    return sigma;
-  }
-  Matrix tangent(const Vector& eps, const Vector& sigma) const {
-    const double exp_v = std::exp(-eps[0] - eps[1] - eps[2]);
-    Matrix D;
-    for (int A = 0; A < 3; ++A)
-      for (int B = 0; B < 3; ++B) D[A][B] = (lambda + (A == B) * 2 * G) * exp_v - sigma[A];
-    return D;
-  }
-};
-
 /// Normal . D . flow of the active planes, filled up to 3x3 by the identity, as an inverse.
 detail::Inverse3 coupling(const std::array<const Plane*, 3>& active, const Matrix& D) {
   Matrix M{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
@@ -102,7 +83,7 @@ struct Return {
 };
 
 /// The return to the intersection of the active planes by Newton on the multipliers; false where it fails.
-bool solve(const Elastic3& elastic, const Vector& trial, const std::array<const Plane*, 3>& active,
+bool solve(const Elasticity& elastic, const Vector& trial, const std::array<const Plane*, 3>& active,
            double stress_tolerance, Return& r) {
   constexpr int iterations_max = 30;
   r.multipliers = {};
@@ -158,7 +139,7 @@ double MohrCoulomb::excess(const Vector& sigma) const {
 PrincipalResponse MohrCoulomb::respond(const Vector& eps_trial) const {
   constexpr double relative_strength_tolerance = 1e-12, relative_rounding = 1e-14; // of the trial stress
   const Moduli m = moduli(0);
-  const Elastic3 elastic{m.K - 2 * m.G / 3, m.G};
+  const Elasticity elastic{m.K - 2 * m.G / 3, m.G};
   std::array<int, 3> order{0, 1, 2};
   std::sort(order.begin(), order.end(), [&](int a, int b) { return eps_trial[a] > eps_trial[b]; });
   const Vector trial{eps_trial[order[0]], eps_trial[order[1]], eps_trial[order[2]]};

@@ -5,6 +5,8 @@
 //   InvariantModel   knows p and q alone: it gives its yield surface, and the integrator returns to it
 //   PrincipalModel   knows the three principal stresses: it returns by itself
 //
+// One whose section is a circle for some of its parameters alone is of both; its `circular()` says of which.
+//
 // A yield surface in p and q is a curve in the (p, q) half-plane q >= 0 (Cauchy stress, tension positive),
 // followed by a parameter s from the tensile to the compressive end. A model gives the point and the flow
 // direction at s; corners, apices and flat parts are then parts of one curve, and a converged stress lies on
@@ -147,6 +149,12 @@ concept PrincipalModel = requires(const M& model, const std::array<double, 3>& p
   { model.meridians(principal[0]) } -> std::same_as<std::vector<YieldCurve>>; // down to a pressure
   { M::phi_rate } -> std::convertible_to<PhiRate>;
 };
+
+/// Whether p and q say all of this material.
+template <class M> constexpr bool in_invariants(const M& model) {
+  if constexpr (InvariantModel<M> && PrincipalModel<M>) return model.circular();
+  else return InvariantModel<M>;
+}
 
 /// Both at once: a model may offer them together, where that is cheaper.
 template <InvariantModel M> auto properties(const M& model, double phi) {

@@ -26,10 +26,12 @@ double stress_reserve(const Model& model, const std::array<double, 3>& sigma, do
   const double p = (sigma[0] + sigma[1] + sigma[2]) / 3, q = 1.5 * invariants(sigma).eps_q;
   return std::visit(
       [&]<class M>(const M& m) {
-        if constexpr (InvariantModel<M>) {
-          const auto surface = m.surface(phi);
-          return largest_factor([&](double f) { return surface.contains(f * p, f * q); });
-        } else if constexpr (PrincipalModel<M>)
+        if constexpr (InvariantModel<M>)
+          if (in_invariants(m)) {
+            const auto surface = m.surface(phi);
+            return largest_factor([&](double f) { return surface.contains(f * p, f * q); });
+          }
+        if constexpr (PrincipalModel<M>)
           return largest_factor([&](double f) {
             return m.excess({f * sigma[0], f * sigma[1], f * sigma[2]}) <= 0;
           });

@@ -47,9 +47,10 @@ struct Writer {
 
   std::string operator()(const DruckerPrager& m) {
     return elastic(m.E, m.nu) +
-           fmt::format("*Drucker Prager, shear criterion=LINEAR\n {}, 1., {}\n*Drucker Prager Hardening, "
+           fmt::format("*Drucker Prager, shear criterion=LINEAR\n {}, {}, {}\n*Drucker Prager Hardening, "
                        "type=COMPRESSION\n {}, 0.\n",
-                       number(m.beta_deg), number(m.psi_deg), stress(m.sigma_c));
+                       number(m.beta_deg), m.circular() ? "1." : number(m.flow_stress_ratio),
+                       number(m.psi_deg), stress(m.sigma_c));
   }
 
   std::string operator()(const MohrCoulomb& m) {

@@ -86,7 +86,8 @@ void finish_elastic(const std::array<double, 3>& eps, TrialInvariants trial, dou
 template <class M>
 void update_point(const M& model, const std::array<double, 3>& eps_trial, double phi_n, PointUpdate& out) {
   const TrialInvariants trial = invariants(eps_trial);
-  if constexpr (PrincipalModel<M>) return finish(eps_trial, trial, phi_n, model.respond(eps_trial), out);
+  if constexpr (PrincipalModel<M>)
+    if (!in_invariants(model)) return finish(eps_trial, trial, phi_n, model.respond(eps_trial), out);
   const double exp_v = std::exp(-trial.eps_v);
   if constexpr (InvariantModel<M>) {
     const auto [moduli, surface] = properties(model, phi_n);
@@ -143,8 +144,8 @@ UpdateCounts update(const Model& model, std::span<const std::array<double, 3>> e
   return std::visit(
       [&]<class M>(const M& m) {
         if constexpr (requires { requires M::fixed_moduli; })
-          return update_all(Prepared<M>{m, m.moduli(0)}, eps_trial, phi_n, out);
-        else return update_all(m, eps_trial, phi_n, out);
+          if (in_invariants(m)) return update_all(Prepared<M>{m, m.moduli(0)}, eps_trial, phi_n, out);
+        return update_all(m, eps_trial, phi_n, out);
       },
       model);
 }
@@ -153,10 +154,12 @@ PointUpdate update_with_old_moduli(const Model& model, const std::array<double, 
   PointUpdate out{};
   std::visit(
       [&]<class M>(const M& m) {
-        if constexpr (InvariantModel<M>) {
-          const Moduli old = m.moduli(phi_n);
-          update_point(Prepared<M>{m, {old.K, old.G}}, eps_trial, phi_n, out);
-        } else update_point(m, eps_trial, phi_n, out);
+        if constexpr (InvariantModel<M>)
+          if (in_invariants(m)) {
+            const Moduli old = m.moduli(phi_n);
+            return update_point(Prepared<M>{m, {old.K, old.G}}, eps_trial, phi_n, out);
+          }
+        update_point(m, eps_trial, phi_n, out);
       },
       model);
   return out;

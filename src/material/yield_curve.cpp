@@ -8,8 +8,9 @@ std::vector<YieldCurve> yield_curves(const Model& model, double phi, double p_lo
   constexpr int points = 200;
   return std::visit(
       [&]<class M>(const M& m) -> std::vector<YieldCurve> {
-        if constexpr (PrincipalModel<M>) return m.meridians(p_low);
-        else if constexpr (InvariantModel<M>) {
+        if constexpr (PrincipalModel<M>)
+          if (!in_invariants(m)) return m.meridians(p_low);
+        if constexpr (InvariantModel<M>) {
           const auto surface = m.surface(phi);
           std::array stretch{surface.s_min(), surface.s_max()};
           if constexpr (requires { surface.drawn(p_low, p_high); }) stretch = surface.drawn(p_low, p_high);

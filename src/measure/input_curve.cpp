@@ -102,7 +102,7 @@ InputCurve read_curve(const std::string& file, std::string text, const CurveOpti
 }
 
 InputCurve read_curve(const std::string& file, const CurveOptions& o) {
-  if (!std::filesystem::exists(file)) throw InvalidInput(fmt::format("{}: there is no such file", file));
+  if (!core::is_there(file)) throw InvalidInput(fmt::format("{}: there is no such file", file));
   InputCurve input{.file = file, .text = core::read_file(file), .curve = {}};
   if (o.read.force.empty() && o.read.displacement.empty() && is_own(input.text))
     return read_curve(file, std::move(input.text), o);

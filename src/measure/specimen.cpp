@@ -273,8 +273,7 @@ Measurement read_measurement(const Text& text, const ReadOptions& options) {
 }
 
 Measurement read_measurement(const std::filesystem::path& path, const ReadOptions& options) {
-  if (!std::filesystem::exists(path))
-    throw InvalidInput(fmt::format("{}: there is no such file", path.string()));
+  if (!core::is_there(path)) throw InvalidInput(fmt::format("{}: there is no such file", path.string()));
   std::string bytes = core::read_file(path);
   const std::string digest = core::sha256(bytes);
   Measurement m = read_measurement(decode(std::move(bytes), path.string()), options);

@@ -111,8 +111,7 @@ Text decode(std::string bytes, const std::string& file) {
 }
 
 Text read_text(const std::filesystem::path& path) {
-  if (!std::filesystem::exists(path))
-    throw InvalidInput(fmt::format("{}: there is no such file", path.string()));
+  if (!core::is_there(path)) throw InvalidInput(fmt::format("{}: there is no such file", path.string()));
   return decode(core::read_file(path), path.string());
 }
 

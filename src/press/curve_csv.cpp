@@ -225,7 +225,7 @@ Curve parse_curve(const std::string& text, const std::string& file, std::optiona
 }
 
 Curve read_curve(const std::filesystem::path& path, std::optional<double> radius_m) {
-  if (!std::filesystem::exists(path))
+  if (!core::is_there(path))
     throw core::InvalidInput(fmt::format("{}: there is no such file", path.string()));
   return parse_curve(core::read_file(path), path.string(), radius_m);
 }

@@ -63,8 +63,8 @@ Sources sources_of(const std::string& name) {
              "corner-E500-G1-L1"}};
   if (name == "wang")
     return {{"wang"},
-            {"wang-type-1", "wang-type-2", "sandstone-3-3", "sandstone-3-4", "sandstone-mohr-coulomb",
-             "sandstone-von-mises"}};
+            {"wang-type-1", "wang-type-2", "sandstone-3-3", "sandstone-3-4", "sandstone-3-4-k",
+             "sandstone-mohr-coulomb", "sandstone-von-mises"}};
   if (name == "shahin")
     return {{"shahin", "shahin-hardening", "von-mises"}, {"lead-simple", "lead-die", "lead-hydrostatic"}};
   refuse(name);

@@ -78,9 +78,12 @@ const Comparison* worst(const Row& row) {
 }
 
 std::string difference_text(double d, Measure measure) {
-  if (measure == Measure::absolute) return fmt::format("{:+.3g}", d);
-  if (std::abs(d) >= 10) return fmt::format("{:+.3g} times", d);
-  return std::abs(d) >= 0.0995 ? fmt::format("{:+.0f} %", 100 * d) : fmt::format("{:+.2g} %", 100 * d);
+  const std::string_view sign = d < 0 ? "−" : "+";
+  const double size = std::abs(d);
+  if (measure == Measure::absolute) return fmt::format("{}{:.3g}", sign, size);
+  if (d >= 10) return fmt::format("a factor of {:.0f}", 1 + d);
+  return size >= 0.0995 ? fmt::format("{}{:.0f} %", sign, 100 * size)
+                        : fmt::format("{}{:.2g} %", sign, 100 * size);
 }
 
 std::string difference_text(const Comparison& c) {

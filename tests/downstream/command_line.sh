@@ -350,6 +350,32 @@ answers 0 'von-mises' "$platen" materials deck.toml
 answers 0 '*Plastic' "$platen" convert deck.toml --units si
 answers 2 'no von Mises Double Cap' "$platen" convert base-case --units si
 
+# misspelt commands and options, streams, quiet, what shells and man read
+answers 2 "there is no command 'platen pres'; did you mean 'press'?" "$platen" pres
+answers 2 "there is no command 'platen study ru'; did you mean 'run'?" "$platen" study ru
+answers 2 'platen study needs one of: design' "$platen" study
+answers 2 'platen predict has no option --lw; did you mean --law?' "$platen" predict mcc-ph-200 --lw pressed
+answers 2 'platen export lammps has no option --radios; did you mean --radius?' "$platen" export lammps hertz.toml --radios=1
+answers 2 'there is no completion for' "$platen" completion csh
+same() { cmp -s "$1" "$2" || { failures=$((failures + 1)); echo "FAILED: $1 is not $2"; }; }
+"$platen" predict mcc-ph-200 -o predicted.toml --quiet >/dev/null 2>noise
+"$platen" predict mcc-ph-200 -o - --quiet >piped.toml 2>noise2
+same predicted.toml piped.toml
+[ ! -s noise ] || { failures=$((failures + 1)); echo "FAILED: --quiet says $(cat noise)"; }
+"$platen" eval predicted.toml -p radius_m=1e-3 --overlap 0:1e-5:3 >named
+"$platen" eval - -p radius_m=1e-3 --overlap 0:1e-5:3 <predicted.toml >piped
+same named piped
+answers 2 'wrong_Pa' "$platen" --quiet eval hertz -p wrong_Pa=1 --overlap 1
+"$platen" completion bash >complete.sh && completed=$(bash -c '. ./complete.sh; COMP_WORDS=(platen study r); COMP_CWORD=2; _platen
+  echo "${COMPREPLY[*]}"; COMP_WORDS=(platen predict mcc --la); COMP_CWORD=3; _platen; echo "${COMPREPLY[*]}"')
+[ "$completed" = $'run\n--law' ] || { failures=$((failures + 1)); echo "FAILED: bash completes $completed"; }
+answers 0 'bashcompinit' "$platen" completion zsh
+answers 0 "complete -c platen -n '__fish_seen_subcommand_from study' -a run" "$platen" completion fish
+"$platen" manual >platen.1
+for command in $("$platen" | awk '/^  platen/ { print $2 }'); do
+  grep -q "^\.SS platen $command" platen.1 || { failures=$((failures + 1)); echo "FAILED: the manual lacks $command"; }
+done
+
 find . -name '.*.*' -type f | grep -q . && { failures=$((failures + 1)); echo 'FAILED: temporary files were left'; }
 
 [ $failures -eq 0 ] && echo 'all answers as wanted'

@@ -70,7 +70,8 @@ inline Pair make_pair(const Body& one, const Body& two) {
   Pair pair{{one, two}};
   pair.A = one.curvature + two.curvature;
   pair.B = cube(one.curvature) + cube(two.curvature);
-  require("contact", "1/R1 + 1/R2", pair.A, positive); // at least one sphere
+  require("contact", "1/R1 + 1/R2", pair.A, positive);     // at least one sphere
+  require("contact", "1/R1^3 + 1/R2^3", pair.B, positive); // of a size that numbers hold
   require("contact", "compliance of the pair", compliance, positive);
   pair.E_star = 1 / compliance;
   pair.R_e = std::sqrt(pair.A / pair.B);

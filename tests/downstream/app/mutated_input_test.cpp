@@ -8,7 +8,9 @@
 #include "press/case_card.hpp"
 #include "press/curve_csv.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -168,7 +170,8 @@ TEST(MutatedInput, LawCardsAreReadOrRefused) {
   const auto c = curve();
   const std::string text =
       fit::text_of(fit::law_card(c, fit::fit_edmans_sinka(c), fit::fit_unloading(c), ""));
-  const auto file = std::filesystem::temp_directory_path() / "platen-mutated-law.toml";
+  const auto file =
+      std::filesystem::temp_directory_path() / fmt::format("platen-mutated-law-{}.toml", ::getpid());
   EXPECT_GT(refused(text,
                     [&](const std::string& t) {
                       core::write_file(file, t);

@@ -12,6 +12,14 @@ namespace {
 
 using namespace platen::law;
 
+TEST(Pair, OfSizesThatNoNumberHoldsIsRefused) {
+  for (const double R : {1e-110, 1e120, 0.0}) {
+    EXPECT_THROW((void)make_pair(sphere(R, 1e9, 0.3), sphere(R, 1e9, 0.3)), BadParameter) << R;
+    EXPECT_THROW((void)make_pair(sphere(R, 1e9, 0.3), rigid_plane()), BadParameter) << R;
+  }
+  EXPECT_NO_THROW((void)make_pair(sphere(1e-30, 1e9, 0.3), rigid_plane()));
+}
+
 TEST(DissimilarBodies, EqualSpheresAndPlaneHaveTheSphereItself) {
   const double R = 3e-3;
   const Pair equal = make_pair(sphere(R, 1e9, 0.3), sphere(R, 1e9, 0.3)),

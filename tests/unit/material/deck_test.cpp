@@ -62,6 +62,20 @@ TEST(Deck, StrengthByTensionAndShearGivesTheSameLine) {
   EXPECT_NEAR(std::get<DruckerPrager>(from(head + "SHEAR\n1154700.5,0\n").material.model).sigma_c, 3e6, 10);
 }
 
+TEST(Deck, SectionOfDruckerPrager) {
+  // In extension t = q/K: d = (1/K + tan(beta)/3) sigma_t (Abaqus, linear model).
+  const auto deck = [](const std::string& K) {
+    return "*MATERIAL\n*ELASTIC\n1e9,0.2\n*DRUCKER PRAGER\n45," + K +
+           ",0\n*DRUCKER PRAGER HARDENING, TYPE=TENSION\n1e6,0\n";
+  };
+  const auto m = std::get<DruckerPrager>(from(deck("0.8")).material.model);
+  EXPECT_DOUBLE_EQ(m.flow_stress_ratio, 0.8);
+  EXPECT_NEAR(m.surface(0).d, (1 / 0.8 + 1.0 / 3) * 1e6, 10);
+  EXPECT_NE(refusal(deck("0.7")).find("K = 0.7: it must be in [7/9, 1]"), std::string::npos);
+  const auto back = from(deck_of({"rock", m}, deck_units("si")).text);
+  EXPECT_DOUBLE_EQ(std::get<DruckerPrager>(back.material.model).flow_stress_ratio, 0.8);
+}
+
 TEST(Deck, AnotherTemperatureIsListedAndNotTaken) {
   const auto c =
       from("*MATERIAL\n*ELASTIC\n1e9,0.2,20\n5e8,0.2,200\n*PLASTIC\n1e6,0,20\n2e6,0.1,20\n5e5,0,200\n");

@@ -2,7 +2,9 @@
 #include "core/file.hpp"
 #include "surrogate/assess.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
@@ -54,9 +56,12 @@ double worst(const std::vector<double>& said, const std::vector<double>& truth) 
   return most;
 }
 
-std::filesystem::path scratch() {
-  return std::filesystem::path(::testing::TempDir()) / "platen-surrogate.txt";
-}
+/// A file of this process alone, gone with the test.
+struct Scratch {
+  std::filesystem::path file =
+      std::filesystem::path(::testing::TempDir()) / fmt::format("platen-surrogate-{}.txt", ::getpid());
+  ~Scratch() { std::filesystem::remove(file); }
+};
 
 TEST(Surrogate, SaysCurvesBetweenThoseOfItsPool) {
   const auto data = metals();
@@ -76,9 +81,10 @@ TEST(Surrogate, DoesNotDependOnUnits) {
 }
 
 TEST(Surrogate, IsTheSameFromItsFile) {
+  const Scratch scratch;
   const auto s = fit_surrogate({metals()});
-  core::write_file(scratch(), text_of(s));
-  const auto again = read_surrogate(scratch());
+  core::write_file(scratch.file, text_of(s));
+  const auto again = read_surrogate(scratch.file);
   const auto d = describe(material::VonMises{77, 0.3, 1});
   EXPECT_EQ(predict(s, d).F_bar, predict(again, d).F_bar);
   EXPECT_EQ(predict(s, d).band, predict(again, d).band);
@@ -87,12 +93,13 @@ TEST(Surrogate, IsTheSameFromItsFile) {
 }
 
 TEST(Surrogate, RefusesADamagedFile) {
+  const Scratch scratch;
   const std::string text = text_of(fit_surrogate({metals()}));
   for (const std::string& bad :
        {std::string("something else"), std::string(), text.substr(0, text.size() / 2),
         std::string("platen-surrogate 0") + text.substr(18)}) {
-    core::write_file(scratch(), bad);
-    EXPECT_THROW((void)read_surrogate(scratch()), core::InvalidInput) << bad.substr(0, 40);
+    core::write_file(scratch.file, bad);
+    EXPECT_THROW((void)read_surrogate(scratch.file), core::InvalidInput) << bad.substr(0, 40);
   }
 }
 

@@ -74,6 +74,23 @@ TEST(ClosedForm, DruckerPragerCarriesItsTriaxialLimitLoads) {
   }
 }
 
+TEST(ClosedForm, DruckerPragerOfAnotherSectionCarriesLessInExtension) {
+  // t = q in compression, q/K in extension (Abaqus, linear model): there q = K (d - sigma_3 tan(beta))/(1 + K
+  // tan(beta)/3).
+  const double sigma_c = 10.61e6, beta = 47.84, K = 0.778;
+  const double tan_beta = std::tan(beta * degree), d = sigma_c * (1 - tan_beta / 3);
+  for (const double psi : {0.0, 20.0, beta}) {
+    const Model model = DruckerPrager{10e9, 0.38, beta, sigma_c, psi, K};
+    for (const double sigma_3 : {0.0, -5e6, -50e6}) {
+      Triaxial compressed{model, sigma_3}, extended{model, sigma_3};
+      for (int i = 0; i < 100; ++i) compressed.strain_by(-2e-4 * (1 - sigma_3 / 10e6));
+      EXPECT_NEAR(compressed.last().q, (d - sigma_3 * tan_beta) / (1 - tan_beta / 3), 1e-6 * sigma_c);
+      for (int i = 0; i < 100; ++i) extended.strain_by(2e-4 * (1 - sigma_3 / 10e6));
+      EXPECT_NEAR(extended.last().q, K * (d - sigma_3 * tan_beta) / (1 + K * tan_beta / 3), 1e-6 * sigma_c);
+    }
+  }
+}
+
 TEST(ClosedForm, DruckerPragerDilatesAsItsAngleSays) {
   for (const double psi : {0.0, 20.0, 47.84}) {
     const Model model = DruckerPrager{10e9, 0.38, 47.84, 10.61e6, psi};

@@ -41,16 +41,21 @@ TEST(ConfinedPress, SimpleOnTheWedgeIsTheAxisymmetricPress) {
   const auto wedge = press::press_in_space(c);
   const auto flat = press::press(c);
   ASSERT_FALSE(wedge.failure || flat.failure);
+  double beyond = 0;
+  int points = 0;
   for (double x = 0.05; x < 0.451; x += 0.025) {
     const double F = at(wedge.curve, x, &press::CurvePoint::force_N) /
                      at(flat.curve, x, &press::CurvePoint::force_N),
                  a = at(wedge.curve, x, &press::CurvePoint::contact_radius_m) /
                      at(flat.curve, x, &press::CurvePoint::contact_radius_m);
     RecordProperty("x_" + std::to_string(x).substr(0, 5), std::to_string(F) + " " + std::to_string(a));
-    EXPECT_NEAR(F, 1, 0.01) << x;
-    // Where the side of the sphere folds onto the plane the radius is too small by half a face.
+    // Where the side of the sphere folds onto the plane it does so face by face: the force waves, by 1.5 %
+    // with 5,000 elements, 1.1 % with 10,000, and the radius is too small by half a face.
+    EXPECT_NEAR(F, 1, x < 0.36 ? 0.01 : 0.015) << x;
     EXPECT_NEAR(a, 1, x < 0.26 ? 0.03 : 0.045) << x;
+    if (x > 0.29) beyond += F, ++points;
   }
+  EXPECT_NEAR(beyond / points, 1, 0.005);
 }
 
 TEST(ConfinedPress, SmallElasticContactsAreHertzs) {
@@ -72,12 +77,12 @@ TEST(ConfinedPress, SmallElasticContactsAreHertzs) {
 
 TEST(ConfinedPress, BeyondZeroPorosityTheCellIsAsStiffAsTheMaterial) {
   // Mean Kirchhoff stress over the particle's volume, tau = p V/V_0, with p the mean stress of the cell; the
-  // material has tau_m = K ln J.
+  // material has tau_m = K ln J. On 1,300 elements the cell of the die is 4 % too stiff, on 2,600 2 %.
   const double K = 100 / (3 * 0.4);
   for (const std::string experiment : {"hydrostatic", "die"}) {
     const bool die = experiment == "die";
-    const auto result = press::press(die ? case_of<press::Die>(metal, 0.5287, 1300)
-                                         : case_of<press::Hydrostatic>(metal, 0.2218, 1300));
+    const auto result = press::press(die ? case_of<press::Die>(metal, 0.5287, 2600)
+                                         : case_of<press::Hydrostatic>(metal, 0.2218, 2600));
     ASSERT_FALSE(result.failure);
     const std::array<double, 5> volumes{1, 0.975, 0.95, 0.925, 0.901};
     std::vector<double> stress;
