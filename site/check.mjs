@@ -5,6 +5,7 @@ import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs'
 import { dirname, join, posix, resolve } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { sections } from './.vitepress/sidebar.mjs'
+import { slugify } from './slug.mjs'
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), '..')
 const [site, base, program] = process.argv.slice(2)
@@ -98,6 +99,24 @@ for (const document of documents) {
   })
 }
 
+// --- links of the Markdown itself, as a forge follows them ---
+
+const anchors = new Map()
+const anchorsOf = file => {
+  if (!anchors.has(file)) anchors.set(file, new Set([...readFileSync(join(root, file), 'utf8').matchAll(/^#+ (.*)$/gm)].map(m => slugify(m[1].replace(/`|\[|\]\([^)]*\)|\*/g, '')))))
+  return anchors.get(file)
+}
+let forge = 0
+for (const document of [...documents.filter(file => file !== 'site/start.md'), 'CHANGELOG.md', 'plugins/yade/README.md', 'site/README.md'])
+  for (const [, target] of readFileSync(join(root, document), 'utf8').replace(/^\s*```[\s\S]*?^\s*```/gm, '').matchAll(/\]\(([^)\s]+)\)/g)) {
+    if (/^[a-z]+:/.test(target)) continue
+    ++forge
+    const [path, anchor] = target.split('#')
+    const file = path ? posix.normalize(posix.join(posix.dirname(document), path)) : document
+    if (!existsSync(join(root, file))) faults.push(`${document}: ${target} is not there`)
+    else if (anchor && !anchorsOf(file).has(anchor)) faults.push(`${document}: ${target} has no such heading`)
+  }
+
 // --- what the pages promise ---
 
 const questions = readFileSync(join(root, 'docs/questions.md'), 'utf8').match(/^\d+\. .*$/gm)
@@ -110,5 +129,5 @@ for (const [, suite, name] of named)
 
 for (const fault of faults.slice(0, 50)) console.error(`site: ${fault}`)
 if (!links || !commands || !named.length) console.error('site: nothing was checked'), process.exit(2)
-console.log(`site: ${pages.length} pages, ${links} links, ${commands} commands, ${questions.length} questions, ${named.length} tests named; ${faults.length} faults`)
+console.log(`site: ${pages.length} pages, ${links} links, ${forge} links of the Markdown, ${commands} commands, ${questions.length} questions, ${named.length} tests named; ${faults.length} faults`)
 process.exit(faults.length ? 2 : 0)

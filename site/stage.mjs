@@ -144,7 +144,7 @@ const runGallery = async made => {
 }
 
 const galleryPage = folders => {
-  const page = ['# Gallery\n', 'Each picture is made while this site is built, by the command under it. `platen` is the program of `./run build`; scripts run from the folder of the repository.\n']
+  const page = ['# Gallery\n', 'Each picture is made by the command under it, most of them while this site is built. `platen` is the program of `./run build`; scripts run from the folder of the repository.\n']
   for (const one of gallery) {
     cpSync(one.file ? join(root, one.file) : join(folders.get(one.command.join('\n')), one.made), join(out, 'gallery', one.picture))
     page.push(`## ${one.title} {#${one.name}}\n`, one.words + '\n', `![${one.title}](./gallery/${one.picture})\n`,
@@ -173,8 +173,11 @@ reference()
 papers()
 contents()
 galleryPage(await pressed)
-write('index.md', relink(read('site/start.md'), 'site/start.md'))
 mkdirSync(join(out, 'public'), { recursive: true })
 cpSync(join(root, 'site/icon.svg'), join(out, 'public/icon.svg'))
 const explorer = join(out, '../explorer')
-if (existsSync(explorer)) cpSync(explorer, join(out, 'public/explorer'), { recursive: true })
+const start = relink(read('site/start.md'), 'site/start.md')
+if (existsSync(explorer)) {
+  cpSync(explorer, join(out, 'public/explorer'), { recursive: true })
+  write('index.md', start.replace('<!-- explorer -->', '<p><a class="big" href="./explorer/index.html" target="_self">Move a slider: the explorer</a></p>'))
+} else write('index.md', start.replace('<!-- explorer -->', ''))

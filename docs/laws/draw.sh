@@ -14,9 +14,11 @@ draw() { # NAME END_OVERLAP PARAMETERS...: up to the end, down, and up again to 
     for (i = n; i >= 0; --i) print 0.9 * e * i / n
     for (i = 1; i <= n; ++i) print e * i / n }' > "$work/path.csv"
   "$platen" eval "$law" "$@" --path "$work/path.csv" -o "$work/$name.csv" 2> "$work/warnings" || cat "$work/warnings"
-  gnuplot -e "set terminal svg size 560,360 font 'sans,12'; set output '$name.svg'; set datafile separator ',';
-    set xlabel 'overlap of the centres [mm]'; set ylabel 'force [N]'; set grid; unset key;
-    plot '$work/$name.csv' every ::1 using (1e3*\$1):2 with lines linewidth 2 title '$name'" # a title, or the file's path would be written into the drawing
+  gnuplot -e "set terminal svg size 560,360 dynamic rounded font 'Helvetica, Arial, sans-serif,13' background rgb 'white';
+    set output '$name.svg'; set datafile separator ','; unset key; set border 3 lc rgb '#1f2933';
+    set tics nomirror out scale 0.5 tc rgb '#1f2933'; set grid lc rgb '#e3e7eb' lt 1 lw 1;
+    set xlabel 'overlap of the centres (mm)'; set ylabel 'force (N)';
+    plot '$work/$name.csv' every ::1 using (1e3*\$1):2 with lines lw 2.5 lc rgb '#0072b2' title '$name'" # a title, or the file's path would be written into the drawing
 }
 draw hertz 2e-5 -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3
 draw similarity 6e-5 -p radius_m=1e-3 -p E_Pa=2e9 -p nu=0.3 -p kappa_Pa=1e7 -p inverse_m=0.3

@@ -1,6 +1,7 @@
 import { existsSync, readFileSync } from 'node:fs'
 import { defineConfig } from 'vitepress'
 import { sections } from './sidebar.mjs'
+import { scripts } from '../scripts.mjs'
 import { slugify } from '../slug.mjs'
 
 const root = new URL('../../', import.meta.url)
@@ -22,7 +23,7 @@ export default defineConfig({
   outDir: new URL('out/docs/', root).pathname,
   cacheDir: new URL('build/site/cache/', root).pathname,
   head: [['link', { rel: 'icon', type: 'image/svg+xml', href: base + 'icon.svg' }]],
-  markdown: { math: true, theme: { light: 'github-light-high-contrast', dark: 'github-dark-high-contrast' }, anchor: { slugify }, headers: { slugify }, toc: { slugify } },
+  markdown: { math: true, config: scripts, theme: { light: 'github-light-high-contrast', dark: 'github-dark-high-contrast' }, anchor: { slugify }, headers: { slugify }, toc: { slugify } },
   ignoreDeadLinks: [/papers\/index\.html/, /explorer\//],
   vite: { build: { chunkSizeWarningLimit: 4000 } },
   themeConfig: {
@@ -33,7 +34,7 @@ export default defineConfig({
       ...(explorer ? [{ text: 'Explorer', link: '/explorer/index.html', target: '_self' }] : []),
       { text: version, items: [{ text: 'The papers', link: '/papers' }, { text: 'What changed', link: '/changelog' }, { text: 'All pages', link: '/contents' }] },
     ],
-    sidebar: sections.map(({ text, items }, at) => ({ text, collapsed: at > 2,
+    sidebar: sections.map(({ text, items }, at) => ({ text, collapsed: at > 1,
       items: items.map(([text, path]) => ({ text, link: page(path) })) })),
     outline: [2, 3],
     search: { provider: 'local', options: { detailedView: false,

@@ -44,6 +44,7 @@ export const sections = [
     ['Unlike spheres and planes', 'explanation/dissimilar-spheres'],
     ['Two bodies of any two laws', 'explanation/joined'],
     ['How laws are predicted', 'explanation/predict'],
+    ['How a law is calibrated', 'explanation/calibration'],
     ['Why the papers differ', 'explanation/papers'],
   ] },
   { text: 'Laws', items: [
@@ -62,6 +63,8 @@ export const sections = [
     ['Case card', 'reference/case-card'],
     ['Study card', 'reference/study-card'],
     ['Law card', 'reference/law-card'],
+    ['LAMMPS', 'reference/lammps'],
+    ['Run store and exports', 'reference/study'],
     ['C++', 'reference/cpp'],
     ['C', 'reference/c'],
     ['Python package', 'reference/python'],

@@ -117,7 +117,8 @@ void check(const std::vector<SpatialSnapshot>& snapshots) {
 
 Scene page(const std::string& title, double width, double height) {
   Scene scene;
-  scene.width = std::max(width, 420.0);
+  // The title and the words beside the colour bar have to fit, however few panels there are.
+  scene.width = std::max({width, 520.0, 2 * margin + 10.5 * static_cast<double>(title.size())});
   scene.height = height;
   scene.items.push_back(Text{{margin, 30}, title, 17, Anchor::start, ink, true});
   return scene;
