@@ -96,7 +96,8 @@ test('values on screen are those of the program, 50 random materials', { timeout
     const row = Object.fromEntries(rows[0].map((key, i) => [key, rows[2][i]]));
     for (const [name, key] of [['overlap', 'overlap_m'], ['force', 'force_N'], ['contact radius', 'contact_radius_m'], ['mean pressure', 'mean_pressure_Pa'], ['stiffness', 'stiffness_N_per_m']]) {
       const value = Number(row[key]), off = Math.abs(si(shown[name]) - value);
-      assert.ok(off <= 0.5000001e-5 * 10 ** Math.ceil(Math.log10(Math.abs(value) || 1)) || (value === 0 && si(shown[name]) === 0), `${name}: ${shown[name]} for ${value}, ${toLink(s)}`);
+      assert.ok(off <= 0.5000001e-5 * 10 ** Math.ceil(Math.log10(Math.abs(value) || 1)) || // apart, the law's numbers fade out
+        (row.branch === 'separated' && si(shown[name]) === 0 && Math.abs(value) < 1e-20), `${name}: ${shown[name]} for ${value}, ${toLink(s)}`);
     }
     ++compared;
   }
