@@ -436,7 +436,7 @@ function verdict() {
   const expected = why.includes('expected to be') ? '' : `The curve is expected to be ${percent(p.expected)} off. `;
   setText('why', `${why}${expected}Nine tenths of the points of such curves lie in the blue band.${measuredBy}`);
   $('near').innerHTML = p.near.map((text) => { const [name, rest] = text.split(': '); return `<li><strong>${name}</strong> ${rest ?? ''}</li>`; }).join('');
-  setText('origin', `Interpolated between ${p.runs} materials of pool ${p.pool}, pressed by finite elements (engine ${p.engine}, Platen ${p.version}); from elements to law: to δ/R = ${Number(p.end.toPrecision(3))}.`);
+  setText('origin', `Interpolated between ${p.runs} materials of pool ${p.pool}, pressed by finite elements (engine ${p.engine}, Platen ${p.version}); the law reaches to δ/R = ${Number(p.end.toPrecision(3))}.`);
   lawChips(p.laws);
 }
 function setText(id, text) { if ($(id).textContent !== text) $(id).textContent = text; }
