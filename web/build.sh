@@ -4,6 +4,9 @@ set -eu -o pipefail
 [ $# = 1 ] || { echo "usage: web/build.sh OUT_DIR" >&2; exit 2; }
 mkdir -p "$1" && out=$(realpath "$1")
 cd "$(dirname "$0")/.."
+for tool in python3 node make wasm-opt; do
+  command -v $tool >/dev/null || { echo "web/build.sh: $tool is missing; Debian has it in: python3-venv nodejs make binaryen" >&2; exit 5; }
+done
 build=${PLATEN_WEB_BUILD:-build/web}
 ziglang=0.17.1 # its clang, libc++ and wasi-libc
 venv=build/venv

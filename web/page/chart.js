@@ -138,7 +138,11 @@ export function exported(charts, title) {
   const rowHeight = Math.max(0, ...small.map((c) => c.height));
   const scale = small.length ? Math.min(1, (width - gap * (small.length - 1)) / small.reduce((sum, c) => sum + c.width, 0)) : 1;
   const height = 34 + charts[0].height + (small.length ? gap + rowHeight * scale : 0);
-  const place = (c, x, y, k) => `<g transform="translate(${x} ${y}) scale(${k})">${c.svg.innerHTML}</g>`;
+  const place = (c, x, y, k) => {
+    const copy = c.svg.cloneNode(true);
+    for (const part of copy.querySelectorAll('.screen')) part.remove();
+    return `<g transform="translate(${x} ${y}) scale(${k})">${new XMLSerializer().serializeToString(copy).replace(/^<svg[^>]*>|<\/svg>$/g, '')}</g>`;
+  };
   let body = place(charts[0], 0, 34, 1), x = 0;
   for (const c of small) body += place(c, x, 34 + charts[0].height + gap, scale), x += c.width * scale + gap;
   const escape = (s) => s.replace(/&/g, '&amp;').replace(/</g, '&lt;');

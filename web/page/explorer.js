@@ -251,8 +251,8 @@ const dashes = { hertz: '7 4', similarity: '2 4', 'edmans-sinka': '9 3 2 3', 'ja
 // The contact that is dragged: a dot that is a slider to the keyboard.
 const trace = element('path', { fill: 'none', stroke: colour('contact'), 'stroke-width': 2.2, 'stroke-linecap': 'round', 'stroke-linejoin': 'round' }, force.marks);
 const dot = element('g', { tabindex: 0, role: 'slider', 'aria-label': 'Overlap of the contact', 'aria-valuemin': 0, 'aria-valuemax': 100, class: 'dot' }, force.svg);
-element('circle', { r: 22, fill: 'transparent' }, dot);
-element('circle', { r: 12, class: 'halo' }, dot);
+element('circle', { r: 22, fill: 'transparent', class: 'screen' }, dot);
+element('circle', { r: 12, class: 'halo screen' }, dot);
 element('circle', { r: 6.5, fill: colour('paper'), stroke: colour('contact'), 'stroke-width': 3 }, dot);
 
 function fitWidths() {
@@ -436,11 +436,13 @@ function verdict() {
   const expected = why.includes('expected to be') ? '' : `The curve is expected to be ${percent(p.expected)} off. `;
   setText('why', `${why}${expected}Nine tenths of the points of such curves lie in the blue band.${measuredBy}`);
   $('near').innerHTML = p.near.map((text) => { const [name, rest] = text.split(': '); return `<li><strong>${name}</strong> ${rest ?? ''}</li>`; }).join('');
-  setText('origin', `Interpolated between ${p.runs} materials of pool ${p.pool}, pressed by finite elements (engine ${p.engine}, Platen ${p.version}); from elements to law: to δ/R = ${Number(p.end.toPrecision(3))}.`);
+  setText('origin', `Interpolated between ${p.runs} materials of pool ${p.pool}, pressed by finite elements (engine ${p.engine}, Platen ${p.version}); the law reaches to δ/R = ${Number(p.end.toPrecision(3))}.`);
   lawChips(p.laws);
 }
 function setText(id, text) { if ($(id).textContent !== text) $(id).textContent = text; }
 const sentenceOf = (text) => text.charAt(0).toUpperCase() + text.slice(1) + (text.endsWith('.') ? '' : '.');
+
+const lawNotes = { similarity: 'similarity without hardening', 'thornton-ning': 'thornton-ning with a contact pressure of at most 1.6 σ_y', 'edmans-sinka': 'edmans-sinka by the regressions of its paper, two misprints mended' };
 
 function lawChips(laws) {
   const key = laws.join() + '|' + state.beside.join() + '|' + last.curves.laws.map((one) => one.missing ?? '').join();
@@ -453,6 +455,9 @@ function lawChips(laws) {
     return `<label${off}><input type="checkbox" value="${law}"${state.beside.includes(law) ? ' checked' : ''}>
       <svg width="26" height="10" aria-hidden="true"><path d="M1 5h24" stroke="var(--${law})" stroke-width="2.4" stroke-dasharray="${dashes[law] ?? ''}"/></svg>${law}${own?.missing ? ' <small>(does not reach)</small>' : ''}</label>`;
   }).join('');
+  const notes = state.beside.filter((law) => laws.includes(law)).map((law) => lawNotes[law]).filter(Boolean);
+  if (state.model === 'vmdc' && state.beside.some((law) => ['similarity', 'jackson-green', 'mdr', 'agarwal'].includes(law))) notes.push('laws of metals take Γ for the yield stress');
+  setText('laws-note', ['Thin lines: beyond what a law was made for', ...notes].join('; ') + '.');
   for (const input of $('laws').querySelectorAll('input')) {
     if (input.value === focused) input.focus();
     input.addEventListener('change', () => {
@@ -517,7 +522,7 @@ function save(name, blob) {
   $('taken').textContent = `${name} is in your downloads.`;
 }
 const slug = () => state.name.toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '') || 'material';
-const picture = () => exported([force, radius, pressure, restitution], `${state.name}, R = ${words(state.radius_m, 'm', 4)}, against ${state.against === 'plane' ? 'a rigid plane' : 'its like'}`);
+const picture = () => exported([force, radius, pressure, restitution], `${state.name}, R = ${words(state.radius_m, 'm', 4)}, ${state.against === 'plane' ? 'against a rigid plane' : 'two equal spheres'}`);
 
 for (const button of document.querySelectorAll('[data-file]'))
   button.addEventListener('click', () => {

@@ -21,6 +21,7 @@ export function unitFor(value, unit) {
 /// 1.2e9, Pa → "1.2 GPa"; digits: significant ones, none of them cut off where `whole`.
 export function words(value, unit, digits = 4, whole = false) {
   if (!Number.isFinite(value)) return '–';
+  if (value === 0) return unit ? `0 ${unit}` : '0';
   const [name, size] = unitFor(value, unit);
   const cut = (value / size).toPrecision(digits);
   const number = whole ? cut : String(Number(cut));

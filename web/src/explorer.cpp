@@ -173,7 +173,8 @@ std::string Explorer::curves(const Asked& asked, std::vector<double>& numbers) {
       const double u = static_cast<double>(i) / (of_loop - 1),
                    gamma = i + 1 == of_loop ? bottom : top + (bottom - top) * u * (2 - u);
       const auto r = law::evaluate(law_, {top, top}, gamma);
-      put({gamma, r.force, r.contact_radius});
+      if (i + 1 == of_loop && bottom > 0) put({bottom, 0, 0});
+      else put({gamma, r.force, r.contact_radius});
     }
   }
   const double mass =

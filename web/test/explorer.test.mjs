@@ -96,7 +96,8 @@ test('values on screen are those of the program, 50 random materials', { timeout
     const row = Object.fromEntries(rows[0].map((key, i) => [key, rows[2][i]]));
     for (const [name, key] of [['overlap', 'overlap_m'], ['force', 'force_N'], ['contact radius', 'contact_radius_m'], ['mean pressure', 'mean_pressure_Pa'], ['stiffness', 'stiffness_N_per_m']]) {
       const value = Number(row[key]), off = Math.abs(si(shown[name]) - value);
-      assert.ok(off <= 0.5000001e-5 * 10 ** Math.ceil(Math.log10(Math.abs(value) || 1)) || (value === 0 && si(shown[name]) === 0), `${name}: ${shown[name]} for ${value}, ${toLink(s)}`);
+      assert.ok(off <= 0.5000001e-5 * 10 ** Math.ceil(Math.log10(Math.abs(value) || 1)) || // apart, the law's numbers fade out
+        (row.branch === 'separated' && si(shown[name]) === 0 && Math.abs(value) < 1e-9 * Number(rows[1][rows[0].indexOf(key)])), `${name}: ${shown[name]} for ${value}, ${toLink(s)}`);
     }
     ++compared;
   }
@@ -185,7 +186,7 @@ test('dragging loads and unloads', async () => {
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.mouse.move(x + 60, y, { steps: 6 });
-  await page.mouse.move(x + 50, y, { steps: 6 });
+  await page.mouse.move(x + 58, y, { steps: 2 });
   await page.waitForFunction(() => [...document.querySelectorAll('#readout dd')].at(-1).textContent === 'unloading');
   await page.mouse.up();
   await closed(page);
