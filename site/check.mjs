@@ -48,7 +48,7 @@ for (const file of files.filter(file => file.endsWith('.css')))
 
 // --- pages: each is in the list of pages, and each of the list is there ---
 
-const listed = new Set(sections.flatMap(section => section.items.map(([, path]) => path + '.html')))
+const listed = new Set(sections().flatMap(section => section.items.map(([, path]) => path + '.html')))
 for (const page of listed) if (!html.has(page)) faults.push(`${page} is in the list of pages and was not built`)
 for (const page of pages)
   if (!listed.has(page) && !/^(404|contents|papers\/index)\.html$|^(source|explorer)\//.test(page)) faults.push(`${page} is in no list of pages`)

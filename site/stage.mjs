@@ -90,6 +90,7 @@ const commands = print().split('\n').map(line => line.match(/^ {2}platen (\S+) {
 const inner = help => help.includes('\nSubcommands:') ? words(help.split('\nSubcommands:\n')[1].split('\n\n')[0]) : []
 
 const reference = () => {
+  writeFileSync(join(out, '../commands.json'), JSON.stringify(commands.map(([, name]) => name)))
   for (const [name, ...command] of [['material-card', 'materials'], ['case-card', 'press'], ['study-card', 'study', 'design']])
     write(`reference/${name}.md`, `Printed by \`platen ${command.join(' ')} --keys\`.\n\n`.replace(/^/, print(...command, '--keys').split('\n')[0] + '\n\n') +
       print(...command, '--keys').split('\n').slice(1).join('\n').replace(/^# /gm, '## '))
@@ -154,7 +155,7 @@ const galleryPage = folders => {
   write('gallery.md', page.join('\n'))
 }
 
-const contents = () => write('contents.md', ['# All pages\n', ...sections.flatMap(section => [`## ${section.text}\n`,
+const contents = () => write('contents.md', ['# All pages\n', ...sections().flatMap(section => [`## ${section.text}\n`,
   section.items.map(([text, path]) => `- [${text}](./${path}.md)`).join('\n') + '\n'])].join('\n'))
 
 // --- all of it ---

@@ -12,7 +12,7 @@ const source = new URL('build/site/src/', root).pathname
 const explorer = existsSync(source + 'public/explorer/index.html')
 const base = process.env.PLATEN_SITE_BASE ?? '/'
 const page = path => path === 'index' ? '/' : '/' + path.replace(/(^|\/)index$/, '$1')
-const first = name => page(sections.find(section => section.text === name).items[0][1])
+const first = name => page(sections().find(section => section.text === name).items[0][1])
 
 export default defineConfig({
   title: 'Platen',
@@ -34,7 +34,7 @@ export default defineConfig({
       ...(explorer ? [{ text: 'Explorer', link: '/explorer/index.html', target: '_self' }] : []),
       { text: version, items: [{ text: 'The papers', link: '/papers' }, { text: 'What changed', link: '/changelog' }, { text: 'All pages', link: '/contents' }] },
     ],
-    sidebar: sections.map(({ text, items }, at) => ({ text, collapsed: at > 1,
+    sidebar: sections().map(({ text, items }, at) => ({ text, collapsed: at > 1,
       items: items.map(([text, path]) => ({ text, link: page(path) })) })),
     outline: [2, 3],
     search: { provider: 'local', options: { detailedView: false,

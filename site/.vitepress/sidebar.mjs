@@ -1,6 +1,11 @@
 // All pages of the site, in the order of reading; a page is added here and nowhere else.
 // [title, path without .md]; paths are those in docs/, or of what site/stage.mjs makes.
-export const sections = [
+import { readFileSync } from 'node:fs'
+
+// The commands are those that the program has: site/stage.mjs writes them down.
+const commands = () => JSON.parse(readFileSync(new URL('../../build/site/commands.json', import.meta.url), 'utf8'))
+
+export const sections = () => [
   { text: 'Start', items: [
     ['What Platen is for', 'index'],
     ['Install', 'how-to/install'],
@@ -57,8 +62,7 @@ export const sections = [
     ['Files and exit codes', 'reference/index'],
     ['Notation and columns', 'notation'],
     ['Commands', 'reference/commands'],
-    ...['materials', 'point', 'press', 'fit', 'derive', 'laws', 'eval', 'compare', 'export', 'study', 'import', 'calibrate',
-      'convert', 'predict', 'reproduce'].map(name => [`platen ${name}`, `reference/commands/${name}`]),
+    ...commands().map(name => [`platen ${name}`, `reference/commands/${name}`]),
     ['Material card', 'reference/material-card'],
     ['Case card', 'reference/case-card'],
     ['Study card', 'reference/study-card'],
