@@ -162,7 +162,7 @@ PLATEN_HOT Response respond(const TableView& t, const Scale& s, const State& old
   if (x < x_top) { // asked early: the processor guesses, and a wrong guess costs less the sooner it is seen
     if (t.shape == Shape::power) {
       const double base = pick(touching, xi, 0);
-      radius = t.all_three_halves ? std::sqrt(base) : fast_power(base, top.alpha - 1);
+      radius = t.all_three_halves ? std::sqrt(base) : pick(touching, fast_power(base, top.alpha - 1), 0);
       force = base * radius;
       slope =
           top.F * top.alpha * radius * rate; // dF/dgamma stays proportional to a, as for any elastic punch

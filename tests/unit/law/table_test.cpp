@@ -159,6 +159,31 @@ TEST(Table, SaysHowMuchWorkIsLost) {
     }
 }
 
+TEST(Table, APartedContactHasNoForceRadiusPressureOrStiffness) {
+  Random random;
+  for (const LawInfo& info : laws()) {
+    int parted = 0;
+    for (int i = 0; i < 40; ++i) {
+      const LawChoice one = random_material(info, random);
+      const auto law = made(one, 1e-3, 1e-3);
+      if (!law) continue;
+      const double top =
+          std::min(0.3, law->table->valid[0][1]) * random.log_between(1e-2, 1) / law->scale.x_per_gamma;
+      const State state = evaluate(*law, State{}, top).state;
+      for (const double part : {0.9, 0.5, 0.1, 1e-3, 0.0, -1.0}) {
+        const Response now = evaluate(*law, state, part * top);
+        if (now.branch != Branch::separated) continue;
+        ++parted;
+        EXPECT_EQ(now.force, 0) << text_of(one);
+        EXPECT_EQ(now.contact_radius, 0) << text_of(one);
+        EXPECT_EQ(now.mean_pressure, 0) << text_of(one);
+        EXPECT_EQ(now.stiffness, 0) << text_of(one);
+      }
+    }
+    EXPECT_GT(parted, 0) << info.name;
+  }
+}
+
 TEST(Table, OfAnOverlapThatIsNoNumberAnswersSoOnceAndKeepsItsMemory) {
   Random random;
   for (const LawInfo& info : laws()) {
