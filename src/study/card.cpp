@@ -5,6 +5,7 @@
 #include "core/fields.hpp"
 #include "core/nearest.hpp"
 #include "core/number.hpp"
+#include "core/parallel.hpp"
 #include "press/case_card.hpp"
 #include "study/derived.hpp"
 #include "study/table.hpp"
@@ -305,14 +306,15 @@ Study read_study(std::string_view path) {
   if (points.empty())
     throw core::InvalidInput(fmt::format(
         "{}: the design is empty; its table has no row, or none that is as [design] only says", card.file));
-  for (const auto& point : points) {
+  study.runs.resize(points.size());
+  core::in_parallel(points.size(), [&](std::size_t i) {
     try {
-      study.runs.push_back({point, case_of(base, study.factors, point), 0});
+      study.runs[i] = {points[i], case_of(base, study.factors, points[i]), 0};
     } catch (const core::InvalidInput& problem) {
-      throw core::InvalidInput(
-          fmt::format("{}: the run with {}: {}", card.file, words_of(study.factors, point), problem.what()));
+      throw core::InvalidInput(fmt::format("{}: the run with {}: {}", card.file,
+                                           words_of(study.factors, points[i]), problem.what()));
     }
-  }
+  });
   return study;
 }
 

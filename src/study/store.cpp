@@ -267,14 +267,18 @@ std::string Store::forget_damaged(const std::string& key) {
   return what;
 }
 
-Store::Cost Store::cost(const std::string& key) const {
-  Cost cost;
-  if (std::FILE* file = std::fopen((run(key) / "cost.txt").c_str(), "r")) {
-    if (std::fscanf(file, "%lf %lf", &cost.cpu_s, &cost.wall_s) != 2) cost = {};
+Store::Glance Store::glance(const std::string& key) const {
+  const std::string folder = run(key).string();
+  Glance seen;
+  if (std::FILE* file = std::fopen((folder + "/cost.txt").c_str(), "r")) {
+    if (std::fscanf(file, "%lf %lf", &seen.cost.cpu_s, &seen.cost.wall_s) != 2) seen.cost = {};
     std::fclose(file);
-  }
-  return cost;
+    seen.state = ::access((folder + "/failure.txt").c_str(), F_OK) == 0 ? State::failed : State::done;
+  } else seen.state = state(key);
+  return seen;
 }
+
+Store::Cost Store::cost(const std::string& key) const { return glance(key).cost; }
 
 std::string Store::failure(const std::string& key) const {
   std::string line;

@@ -64,6 +64,12 @@ class Store {
   /// Forgets the run if it is damaged: how. Empty where it is not, or another worker has claimed it.
   std::string forget_damaged(const std::string& key);
   Cost cost(const std::string& key) const;
+  struct Glance {
+    State state = State::missing;
+    Cost cost = {};
+  };
+  /// State and cost, at the cost of one file where the run is there.
+  Glance glance(const std::string& key) const;
   /// Why the run failed; empty for one that is done.
   std::string failure(const std::string& key) const;
 

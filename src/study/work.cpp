@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
+#include "core/parallel.hpp"
 #include "core/say.hpp"
 
 #include <fmt/format.h>
@@ -47,6 +48,12 @@ void press_one(const Run& run, const Store& store, const std::string& key, const
              {cpu_now() - cpu, std::chrono::duration<double>(Clock::now() - start).count()});
 }
 
+std::vector<std::string> keys_of(const Study& study, const Store& store) {
+  std::vector<std::string> keys(study.runs.size());
+  core::in_parallel(keys.size(), [&](std::size_t i) { keys[i] = store.key(study.runs[i].press_case); });
+  return keys;
+}
+
 struct Task {
   const Run* run;
   std::string key;
@@ -65,8 +72,9 @@ std::vector<Task> pass(std::vector<Task> tasks, Store& store, const Press& press
 }
 
 std::vector<Task> tasks_of(const Study& study, const Store& store) {
+  const auto keys = keys_of(study, store);
   std::vector<Task> tasks;
-  for (const auto& run : study.runs) tasks.push_back({&run, store.key(run.press_case)});
+  for (std::size_t i = 0; i < keys.size(); ++i) tasks.push_back({&study.runs[i], keys[i]});
   return tasks;
 }
 
@@ -97,22 +105,26 @@ int worker(const std::vector<Task>& tasks, Store& store, const Press& press, pid
 
 } // namespace
 
-Census::Census(const Study& study, const Store& store) : store_(store) {
-  for (const auto& run : study.runs) missing_.push_back(store.key(run.press_case));
+Census::Census(const Study& study, const Store& store) : store_(store), missing_(keys_of(study, store)) {
   tally_.runs = static_cast<int>(missing_.size());
 }
 
 const Tally& Census::take() {
-  std::erase_if(missing_, [&](const std::string& key) {
-    const auto state = store_.state(key);
-    if (state == Store::State::missing) return false;
-    const auto cost = store_.cost(key);
-    tally_.cpu_s += cost.cpu_s;
-    tally_.wall_s += cost.wall_s;
-    if (state == Store::State::failed) tally_.failures.push_back(key);
-    ++(state == Store::State::failed ? tally_.failed : tally_.done);
-    return true;
-  });
+  std::vector<Store::Glance> seen(missing_.size());
+  core::in_parallel(seen.size(), [&](std::size_t i) { seen[i] = store_.glance(missing_[i]); });
+  std::vector<std::string> missing;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (seen[i].state == Store::State::missing) {
+      missing.push_back(std::move(missing_[i]));
+      continue;
+    }
+    tally_.cpu_s += seen[i].cost.cpu_s;
+    tally_.wall_s += seen[i].cost.wall_s;
+    const bool failed = seen[i].state == Store::State::failed;
+    if (failed) tally_.failures.push_back(std::move(missing_[i]));
+    ++(failed ? tally_.failed : tally_.done);
+  }
+  missing_ = std::move(missing);
   return tally_;
 }
 
