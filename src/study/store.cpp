@@ -83,9 +83,13 @@ bool remembers_names(const fs::path& folder) {
          std::ranges::count(distant, static_cast<unsigned long>(about.f_type) & 0xFFFFFFFFUL) > 0;
 }
 
-/// There, a network asked anew: a listing is not remembered.
-bool is_there_now(const fs::path& folder, const std::string& name) {
+/// There, a network asked anew: what this client changes in a folder it does not remember, and then a listing
+/// is a new one.
+bool is_there_now(const fs::path& folder, const std::string& name, const fs::path& unused) {
   if (!remembers_names(folder)) return fs::is_directory(folder / name);
+  std::error_code error;
+  fs::create_directory(unused, error);
+  fs::remove(unused, error);
   return std::ranges::any_of(fs::directory_iterator(folder), [&](const fs::directory_entry& entry) {
     return entry.path().filename() == name;
   });
@@ -205,7 +209,8 @@ std::string Store::damage(const std::string& key) const {
 std::optional<Claim> Store::claim(const std::string& key) {
   auto mine = claims_.take(key);
   if (!mine) return {};
-  if (is_there_now(folder_ / "runs", key)) return {}; // finished between the caller's look and now
+  if (is_there_now(folder_ / "runs", key, temporary(key)))
+    return {}; // finished between the caller's look and now
   return mine;
 }
 

@@ -64,7 +64,7 @@ for i in $(seq 100); do
   client=$([ $((i % 2)) = 0 ] && echo one || echo two)
   if [ "$(ls export/store/runs 2>/dev/null | wc -l)" -gt 40 ]; then # there must be work left at the next kill
     mapfile -t some < <(ls one/store/runs | shuf -n 40)
-    rm -r "${some[@]/#/one/store/runs/}"
+    rm -rf "${some[@]/#/one/store/runs/}"
     removed=$((removed + 40))
   fi
   setsid "$worker" study.toml $client/store 4 20 killed.log 20 2000 >/dev/null 2>&1 &
