@@ -296,13 +296,16 @@ def drucker_prager(
     sigma_c: float | None = None,
     cohesion: float | None = None,
     psi: float | None = None,
+    flow_stress_ratio: float | None = None,
     name: str | None = None,
     **more: Any,
 ) -> Material:
     """Rock: E [Pa], nu; exactly one of beta + sigma_c, phi + sigma_c, phi + cohesion: friction angle beta in the (p, q)
     plane or phi of triaxial compression [degrees], uniaxial compressive strength sigma_c or cohesion [Pa]; dilation angle
-    psi [degrees], left out: associated flow."""
-    given = {"E": E, "nu": nu, "phi": phi, "beta": beta, "sigma_c": sigma_c, "cohesion": cohesion, "psi": psi}
+    psi [degrees], left out: associated flow; flow_stress_ratio K, strength in triaxial extension over that in compression,
+    left out: 1."""
+    given = {"E": E, "nu": nu, "phi": phi, "beta": beta, "sigma_c": sigma_c, "cohesion": cohesion, "psi": psi,
+             "flow_stress_ratio": flow_stress_ratio}  # fmt: skip
     return _made("drucker-prager", name, None, {**given, **more})
 
 

@@ -49,3 +49,10 @@ def test_another_surface_through_the_same_strengths(granule):
     assert granule.as_model("dpc").model == "dpc"
     with pytest.raises(platen.InvalidInput):
         granule.as_model("nothing")
+
+
+def test_section_of_a_rock():
+    rock = {"E": 10e9, "nu": 0.38, "beta": 47.84, "sigma_c": 10.61e6}
+    assert "flow_stress_ratio = 0.778" in platen.drucker_prager(**rock, flow_stress_ratio=0.778).text
+    with pytest.raises(platen.InvalidInput, match="flow_stress_ratio"):
+        platen.drucker_prager(**rock, flow_stress_ratio=0.7)

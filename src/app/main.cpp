@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/exit_codes.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "core/say.hpp"
@@ -17,8 +18,7 @@ namespace {
 
 using namespace platen;
 
-// The exit codes, in this one place.
-enum Exit { done = 0, fault = 1, bad_input = 2, not_converged = 3, input_output = 4, interrupted = 130 };
+using namespace app; // the exit codes
 
 constexpr const char* description =
     "Contact laws for plastic particles: material card, virtual press, fitted law.";

@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "app/exit_codes.hpp"
 #include "core/version.hpp"
 
 #include <fmt/format.h>
@@ -49,11 +50,10 @@ std::string manual(const Page& program) {
   for (const auto& command : program.commands) text += command_text(command);
   text += ".SH OPTIONS OF EVERY COMMAND\n";
   for (const auto& entry : program.entries) text += entry_text(entry);
-  return text +
-         ".SH EXIT STATUS\n.TP\n0\ndone\n.TP\n2\nbad input\n.TP\n3\nno result: a press or a fit found none\n"
-         ".TP\n4\na file or the memory\n.TP\n5\nnot there: a program that the command needs\n.TP\n130\n"
-         "interrupted\n.SH ENVIRONMENT\n.TP\nPLATEN_CATALOGUE\nfolder of cards, looked into before the "
-         "catalogue\n";
+  text += ".SH EXIT STATUS\n";
+  for (const auto& [code, what] : exit_codes)
+    text += fmt::format(".TP\n{}\n{}\n", static_cast<int>(code), what);
+  return text + ".SH ENVIRONMENT\n.TP\nPLATEN_CATALOGUE\nfolder of cards, looked into before the catalogue\n";
 }
 
 } // namespace

@@ -372,6 +372,8 @@ answers 2 'wrong_Pa' "$platen" --quiet eval hertz -p wrong_Pa=1 --overlap 1
 answers 0 'bashcompinit' "$platen" completion zsh
 answers 0 "complete -c platen -n '__fish_seen_subcommand_from study' -a run" "$platen" completion fish
 "$platen" manual >platen.1
+[ "$(sed -n '/^.SH EXIT STATUS/,/^.SH ENV/p' platen.1 | grep -xE '[0-9]+' | xargs)" = '0 1 2 3 4 130' ] ||
+  { failures=$((failures + 1)); echo 'FAILED: the exit codes of the manual'; }
 for command in $("$platen" | awk '/^  platen/ { print $2 }'); do
   grep -q "^\.SS platen $command" platen.1 || { failures=$((failures + 1)); echo "FAILED: the manual lacks $command"; }
 done

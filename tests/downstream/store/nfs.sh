@@ -3,6 +3,7 @@
 # loopback, which believe names and attributes for a second. It is killed a hundred times at random moments on either client, then
 # finished by both at once, of which one has a clock an hour ahead: the same tables as on a local disk, and no run twice.
 set -u
+. "$(dirname "$0")/study.sh"
 platen=$(realpath "$1") worker=$(realpath "$2") mount=$(realpath "$3") misfortune=$(realpath "$4")
 { [ "$(id -u)" = 0 ] && [ -c /dev/fuse ] && command -v ganesha.nfsd && command -v rpcbind && command -v fusermount3; } >/dev/null ||
   { echo "skipped: an NFS server on loopback needs root, /dev/fuse, fuse3 and nfs-ganesha-vfs"; exit 77; }
@@ -38,23 +39,7 @@ for client in one two; do
   mountpoint -q $client || { echo "FAILED: no NFS: $(cat $client.log server.log)"; exit 1; }
 done
 
-cat >study.toml <<'T'
-platen = 1
-name = "quick"
-[case]
-platen = 1
-experiment = "simple"
-material = "base-case"
-radius_m = 1e-3
-[case.path]
-delta_bar_max = 0.1
-[design]
-kind = "factorial"
-[factors]
-"material.E_bar" = { values = [50, 60, 70, 80, 90, 100, 110, 120, 130, 140] }
-"material.Gamma_bar" = { values = [0.5, 0.6, 0.7, 0.8, 0.9, 1.0] }
-T
-untimed() { sed 's/,[^,]*,[^,]*$//' "$1"; } # cpu_s and wall_s are the last columns
+study 10 6 1 >study.toml
 exported() { "$platen" study export study.toml --store "$1" -o "$2.csv" --curves "$2-curves.csv" || fails "export of $1"; }
 "$worker" study.toml whole 2 0 whole.log || exit 1
 exported whole whole

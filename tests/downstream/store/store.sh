@@ -3,6 +3,7 @@
 # random moments, 256 of them, in other name spaces of processes, with another clock, without locks and links, on disks
 # that fail at any write; damaged and foreign runs; 100,000 runs.
 set -u
+. "$(dirname "$0")/study.sh"
 platen=$(realpath "$1") worker=$(realpath "$2") misfortune=$(realpath "$3") extent=$4
 memory=/dev/shm # where fsync costs nothing
 [ -w $memory ] || memory=${TMPDIR:-/tmp}
@@ -12,7 +13,6 @@ cd "$folder" || exit 1
 failures=0
 fails() { failures=$((failures + 1)); echo "FAILED: $*"; }
 status() { "$platen" study status study.toml --store "$1"; }
-untimed() { sed 's/,[^,]*,[^,]*$//' "$1"; } # cpu_s and wall_s are the last columns
 exported() { "$platen" study export study.toml --store "$1" -o "$1.csv" --curves "$1-curves.csv" || fails "export of $1"; }
 same() { # STORE: gives the tables of the undisturbed one, and has nothing lying about
   exported "$1"
@@ -24,29 +24,6 @@ each_once() { # LOG RUNS: as many presses as runs, none of them twice
   [ "$(wc -l <"$1")" -eq "$2" ] && [ -z "$(cut -d' ' -f1 "$1" | sort | uniq -d)" ] ||
     fails "$1: $(wc -l <"$1") presses of $2 runs, twice: $(cut -d' ' -f1 "$1" | sort | uniq -d | wc -l)"
 }
-factor() { # NAME FIRST COUNT STEP
-  echo "\"$1\" = { values = [$(seq -s ', ' "$2" "$4" "$(awk "BEGIN { print $2 + ($3 - 0.5) * $4 }")")] }"
-}
-study() { # COUNT COUNT COUNT: of the levels of three factors
-  cat <<'T'
-platen = 1
-name = "quick"
-[case]
-platen = 1
-experiment = "simple"
-material = "base-case"
-radius_m = 1e-3
-[case.path]
-delta_bar_max = 0.1
-[design]
-kind = "factorial"
-[factors]
-T
-  factor material.E_bar 50 "$1" 1
-  factor material.Gamma_bar 0.5 "$2" 0.01
-  factor material.zeta 5 "$3" 0.01
-}
-
 study 10 6 1 >study.toml
 "$worker" study.toml whole 2 0 log || { echo "FAILED: an undisturbed study"; exit 1; }
 each_once log 60
