@@ -1,6 +1,7 @@
 #include "fe/lagged_solver.hpp"
 
 #include "fe/stopwatch.hpp"
+#include "fe/vector_clones.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,16 @@ double dot(std::span<const double> a, std::span<const double> b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
   return sum;
+}
+
+/// y += A x of one element, its matrix by columns.
+PLATEN_VECTOR_CLONES
+void add_product(const double* A, const std::vector<int>& unknowns, const double* x, double* y) {
+  const std::size_t n = unknowns.size();
+  double part[24] = {};
+  for (std::size_t j = 0; j < n; ++j, A += n)
+    for (std::size_t i = 0; i < n; ++i) part[i] += A[i] * x[unknowns[j]];
+  for (std::size_t i = 0; i < n; ++i) y[unknowns[i]] += part[i];
 }
 
 } // namespace
@@ -63,13 +74,9 @@ Outcome LaggedSolver::solve(std::span<double> x, double tolerance) {
 void LaggedSolver::multiply(std::span<const double> x, std::span<double> y) const {
   std::fill(y.begin(), y.end(), 0.0);
   const double* a = matrices.data();
-  double part[24];
   for (const auto& element : elements) {
-    const std::size_t n = element.size();
-    std::fill(part, part + n, 0.0);
-    for (std::size_t j = 0; j < n; ++j, a += n)
-      for (std::size_t i = 0; i < n; ++i) part[i] += a[i] * x[element[j]];
-    for (std::size_t i = 0; i < n; ++i) y[element[i]] += part[i];
+    add_product(a, element, x.data(), y.data());
+    a += element.size() * element.size();
   }
 }
 

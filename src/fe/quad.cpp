@@ -194,11 +194,13 @@ void Quad::tangent(const Shape& s, const Kinematics& k, const material::PointUpd
     left[terms - 1][i] = -P * b[i];
     right[terms - 1][i] = b[i];
   }
-  for (int j = 0; j < 8; ++j) {
-    double column[8] = {};
+  // Four columns at once: each sum waits for its last addition, so that several must be under way.
+  for (int j = 0; j < 8; j += 4) {
+    double columns[4][8] = {};
     for (int t = 0; t < terms; ++t)
-      for (int i = 0; i < 8; ++i) column[i] += right[t][j] * left[t][i];
-    std::copy(column, column + 8, K + 8 * j);
+      for (int c = 0; c < 4; ++c)
+        for (int i = 0; i < 8; ++i) columns[c][i] += right[t][j + c] * left[t][i];
+    std::copy(&columns[0][0], &columns[0][0] + 32, K + 8 * j);
   }
 }
 

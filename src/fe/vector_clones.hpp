@@ -4,7 +4,7 @@
 // once.
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
-#define PLATEN_VECTOR_CLONES [[gnu::target_clones("default", "arch=haswell", "arch=skylake-avx512")]]
+#define PLATEN_VECTOR_CLONES [[gnu::target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")]]
 #else
 #define PLATEN_VECTOR_CLONES
 #endif
