@@ -137,8 +137,8 @@ PLATEN_RARE Below own_shape(const TableView& t, double xi, double x, double x_to
     const double area = xi < 1e-4 ? 4.0 / 3 * std::sqrt(2 * xi) * xi : std::acos(1 - xi) - (1 - xi) * radius;
     return {2 / std::numbers::pi * area, 4 / std::numbers::pi * radius * rate, radius};
   }
-  const double p = power(x / x_top, t.n), rest = 1 - t.lambda_p;
-  return {larger((p - t.lambda_p) / rest, 0.0), t.n * p / (rest * x), std::sqrt(x / x_top)};
+  const double u = x / x_top, p = t.n == 1.5 ? u * std::sqrt(u) : power(u, t.n), rest = 1 - t.lambda_p;
+  return {larger((p - t.lambda_p) / rest, 0.0), t.n * p / (rest * x), std::sqrt(u)};
 }
 
 /// Overlaps of a contact, and the same in units of the table; at x_top the loading curve is left.

@@ -72,7 +72,7 @@ template <class L> class Tabulator {
   }
 
  private:
-  static constexpr double lowest = 0x1p-26; // the first cell begins here at the latest
+  static constexpr double lowest = 0x1p-26; // cells begin here
   static constexpr double side = 2e-14;     // how far beside a knot a formula is asked, over x
   static constexpr double narrowest = 1e-6;
   /// By so much unloading starts more steeply than the formulas say: where they leave no room, the errors of
@@ -110,8 +110,8 @@ template <class L> class Tabulator {
     return from;
   }
 
-  /// From where on there are cells: where the curve is no power of x any more, at 2^-20 at the latest if it
-  /// never was.
+  /// The first cell: from no overlap on where the curve is a cubic there, else from `lowest` on, below which
+  /// it goes on as a power of x.
   void begin(const std::vector<double>& kinks) {
     Table& t = *table;
     const double x0 = t.x_elastic > 0 ? std::min(lowest / 16, t.x_elastic / 4) : lowest / 16;
@@ -143,7 +143,6 @@ template <class L> class Tabulator {
         (is_power(middle) ? good : bad) = middle;
       }
     }
-    t.x_first = std::max(good, lowest);
     // Hertz, and straight lines, are cubics of v: their first cell begins at no overlap.
     if (const double n = rounded(n0); elastic(good) && rounded(m0) == 0.5 && (n == 1.5 || n == 1)) {
       Cell c;
@@ -159,6 +158,7 @@ template <class L> class Tabulator {
       from_nothing = true;
       return;
     }
+    t.x_first = lowest;
     const double x = t.x_first * (1 - side);
     const Sample s = at(x);
     const bool one_power = good >= lowest;
