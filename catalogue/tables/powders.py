@@ -5,7 +5,11 @@ A granule is a powder pressed to a relative density rho_r0. The powders fill a b
 Table 4, each range about a tenth longer at both ends; they are described at relative density 0.4, as there, and moved
 to rho_r0 by eqs 4a-5b. Each row is the one of many random granules that makes the MaxPro criterion of all rows so far
 smallest: any first N rows fill the box.
+
+`powders.py fresh > fresh-powders.csv` draws 30 more from another seed, each at random: no surrogate is made of them.
 """
+import sys
+
 import numpy as np
 
 ROWS, CANDIDATES, SEED, REFERENCE = 600, 20000, 23, 0.4
@@ -58,18 +62,25 @@ def granules(u):
     }
 
 
-random = np.random.default_rng(SEED)
-u = random.random((CANDIDATES, len(BOX)))
-g = granules(u)
-u = u[np.all([(g[n] >= low) & (g[n] <= high) for n, (low, high) in BOUNDS.items()], axis=0)]
-rows = [int(np.argmin(((u - 0.5) ** 2).sum(1)))]
-cost = np.zeros(len(u))
-while len(rows) < ROWS:
-    cost += np.exp(-2 * np.log(np.abs(u - u[rows[-1]]) + 1e-9).sum(1))
-    cost[rows] = np.inf
-    rows.append(int(np.argmin(cost)))
-table = granules(u[rows])
-print("# granules of powders like those of Edmans & Sinka, Table 4; values at rho_r0; drawn by powders.py")
+def candidates(seed, count):
+    u = np.random.default_rng(seed).random((count, len(BOX)))
+    g = granules(u)
+    return u[np.all([(g[n] >= low) & (g[n] <= high) for n, (low, high) in BOUNDS.items()], axis=0)]
+
+
+def spread(u, count):
+    rows = [int(np.argmin(((u - 0.5) ** 2).sum(1)))]
+    cost = np.zeros(len(u))
+    while len(rows) < count:
+        cost += np.exp(-2 * np.log(np.abs(u - u[rows[-1]]) + 1e-9).sum(1))
+        cost[rows] = np.inf
+        rows.append(int(np.argmin(cost)))
+    return u[rows]
+
+
+fresh = "fresh" in sys.argv
+table = granules(candidates(2026, 200)[:30] if fresh else spread(candidates(SEED, CANDIDATES), ROWS))
+print("# granules of powders like those of Edmans & Sinka, Table 4; values at rho_r0; drawn by powders.py" + " fresh" * fresh)
 print(",".join(table))
-for i in range(ROWS):
-    print(",".join(f"{table[n][i]:.5g}" for n in table))
+for row in zip(*table.values()):
+    print(",".join(f"{value:.5g}" for value in row))

@@ -16,11 +16,11 @@ Card as_model(const Card& card, const std::string& name) {
   return other;
 }
 
-nb::tuple predict(const Card& card, const std::string& law, const std::string& variant, bool guided,
+nb::tuple predict(const Card& card, const std::string& law, const std::string& variant, bool quick,
                   bool extrapolate) {
   std::vector<std::string> said;
   auto predicted = long_work([&] {
-    return surrogate::predict_law(card.material, {law, variant, guided, extrapolate, card.file},
+    return surrogate::predict_law(card.material, {law, variant, quick, extrapolate, card.file},
                                   [&](const std::string& sentence) { said.push_back(sentence); });
   });
   std::vector<std::string> near;
@@ -67,7 +67,7 @@ void add_materials(nb::module_& m) {
             return list;
           },
           "Key, value and meaning of each.");
-  m.def("predict", &predict, nb::arg("material"), nb::arg("law"), nb::arg("variant"), nb::arg("guided"),
+  m.def("predict", &predict, nb::arg("material"), nb::arg("law"), nb::arg("variant"), nb::arg("quick"),
         nb::arg("extrapolate"),
         "A law at once; what is to be read, and the nearest materials that were pressed.");
 }

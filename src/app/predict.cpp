@@ -20,7 +20,7 @@ namespace {
 struct Options {
   std::string material, output = "law.toml", law = "pressed", variant = "published";
   std::optional<double> E_Pa, nu, sigma_y_Pa;
-  bool guided = false, extrapolate = false, json = false;
+  bool quick = false, extrapolate = false, json = false;
 };
 
 material::Material material_of(const Options& o) {
@@ -52,10 +52,12 @@ double at(const surrogate::Answer& answer, const std::vector<double>& values, do
 
 std::string words(const Options& o, const material::Material& material, const surrogate::Answer& answer,
                   const std::vector<surrogate::Near>& near) {
-  const auto& [s, p, a] = answer;
+  const auto& s = answer.surrogate;
+  const auto& p = answer.prediction;
+  const auto& a = answer.assessment;
   std::string text = fmt::format(
       "{}: law {} from {} materials of pool {}{} (engine {})\n", material.name, o.law, s.runs.size(), s.pool,
-      o.guided && s.guide ? fmt::format(" and a press on {} elements", s.guide->elements) : "", s.engine);
+      answer.guided ? fmt::format(" and a press on {} elements", s.guide->elements) : "", s.engine);
   text += fmt::format("  verdict        {}{}{}\n", name_of(a.verdict), a.reasons.empty() ? "" : ": ",
                       fmt::join(a.reasons, "; "));
   const double end = s.knots[a.knots - 1];
@@ -79,13 +81,16 @@ std::string words(const Options& o, const material::Material& material, const su
 
 std::string json_of(const material::Material& material, const surrogate::Answer& answer,
                     const std::vector<surrogate::Near>& near) {
-  const auto& [s, p, a] = answer;
+  const auto& s = answer.surrogate;
+  const auto& p = answer.prediction;
+  const auto& a = answer.assessment;
   nlohmann::ordered_json runs = nlohmann::ordered_json::array();
   for (const auto& one : near) runs.push_back(s.runs[one.index]);
   return nlohmann::ordered_json{{"platen", core::version},
                                 {"material", material.name},
                                 {"pool", s.pool},
                                 {"engine", s.engine},
+                                {"guided", answer.guided},
                                 {"verdict", name_of(a.verdict)},
                                 {"reasons", a.reasons},
                                 {"expected_error", p.expected[a.knots - 1]},
@@ -104,7 +109,7 @@ std::string json_of(const material::Material& material, const surrogate::Answer&
 
 void predict(const Options& o) {
   const auto material = material_of(o);
-  surrogate::PredictOptions options{o.law, o.variant, o.guided, o.extrapolate};
+  surrogate::PredictOptions options{o.law, o.variant, o.quick, o.extrapolate};
   if (!o.material.empty()) options.card = o.material;
   const auto [card, answer, near] = surrogate::predict_law(material, options, core::say_line);
   core::write_file(o.output, text_of(card));
@@ -128,8 +133,8 @@ void add_predict(Command program) {
       .type_name("NAME")
       .capture_default_str();
   command.add_option("--variant", o->variant, "form of edmans-sinka").type_name("V").capture_default_str();
-  command.add_flag("--guided", o->guided,
-                   "press it on few elements first, half a second: surer where a pool has such presses");
+  command.add_flag("--quick", o->quick,
+                   "powders: without the press on few elements that comes first, 0.2 s; less sure");
   command.add_flag("--extrapolate", o->extrapolate, "outside of what was pressed: guess, with a warning");
   command.add_flag("--json", o->json, "for a machine to read");
   command.footer("Example: platen predict mcc-ph-200 -o law.toml\n"

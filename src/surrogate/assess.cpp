@@ -35,6 +35,7 @@ Assessment assess(const Surrogate& s, const Description& d, const Prediction& p)
     const double value = d.numbers[k].value;
     const double slack = 1e-6 * std::max(std::abs(low), std::abs(high)) + 1e-12;
     if (value >= low - slack && value <= high + slack) continue;
+    a.in_ranges = false;
     if (high - low > slack)
       note(a, Verdict::outside, fmt::format("{} = {:.6g} is not in {:.6g} to {:.6g}", key, value, low, high));
     else if (s.model == "von-mises" && key == "nu" && value <= metal_nu_most)
@@ -96,7 +97,7 @@ std::optional<Answer> ask(const Surrogate& s, const Description& d, const std::o
   if (other && std::pair(other->assessment.verdict, other->prediction.expected.back()) <=
                    std::pair(a.verdict, p.expected.back()))
     return {};
-  return Answer{s, std::move(p), std::move(a)};
+  return Answer{s, std::move(p), std::move(a), d.sigma_ref};
 }
 
 } // namespace platen::surrogate

@@ -16,6 +16,7 @@ struct Assessment {
   Verdict verdict = Verdict::inside;
   std::vector<std::string> reasons; ///< why it is not inside
   std::size_t knots = 0;            ///< how many the law may have
+  bool in_ranges = true;            ///< every number lies in the range that was pressed
 };
 
 /// Outside: a number beyond those of the pool, or other than the one that all of them have; a curve that
@@ -38,6 +39,8 @@ struct Answer {
   Surrogate surrogate;
   Prediction prediction;
   Assessment assessment;
+  double sigma_ref = 0; ///< of the material [Pa]
+  bool guided = false;  ///< by a press on few elements
 };
 
 /// What a surrogate says of a material, where it knows it better than the other answer; equal is not better.

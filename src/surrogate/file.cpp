@@ -16,7 +16,7 @@ namespace platen::surrogate {
 namespace {
 
 constexpr std::string_view head =
-    "platen-surrogate 1"; // raised when the coordinates of a model, or what follows, change
+    "platen-surrogate 2"; // raised when the coordinates of a model, or what follows, change
 
 class Writer {
  public:

@@ -87,7 +87,8 @@ std::vector<Errors> leave_out_guided(const Surrogate& s, const Pools& pools) {
   std::vector<std::size_t> fine;
   auto terms = terms_of(s, pools, fine);
   const auto both = in_both(*pools.coarse, *pools.guide);
-  Term changes{s.guide->change, change(tables_of(*pools.coarse), tables_of(*pools.guide), both), {}};
+  const Tables guides = tables_of(*pools.guide);
+  Term changes{s.guide->change, change(tables_of(*pools.coarse), guides, both), {}};
   std::vector<Term> unguided = terms;
   std::vector<std::size_t> kept_fine;
   std::vector<std::vector<std::size_t>> kept(2);
@@ -99,8 +100,7 @@ std::vector<Errors> leave_out_guided(const Surrogate& s, const Pools& pools) {
     changes.rows.push_back(static_cast<std::size_t>(found - both.begin()));
     kept_fine.push_back(fine[i]);
     for (std::size_t l = 0; l < 2; ++l) kept[l].push_back(terms[l].rows[i]);
-    const Pressed& guide = pools.guide->runs[found->coarse];
-    said.push_back({logarithms(guide.F_bar), {}, logarithms(guide.a_bar), {}});
+    said.push_back({guides.force[found->coarse], {}, guides.radius[found->coarse], {}});
   }
   for (std::size_t l = 0; l < 2; ++l) unguided[l].rows = kept[l];
   add_left_out(said, unguided, true);

@@ -16,22 +16,22 @@ namespace {
 void guide(Answer& answer, const material::Material& material, const Description& description,
            const std::function<void(const std::string&)>& say) {
   const auto& s = answer.surrogate;
-  if (!s.guide) {
-    say(fmt::format("note: pool {} has no guide, and is without one expected to be {:.2g} % off", s.pool,
-                    100 * answer.prediction.expected.back()));
-    return;
+  try {
+    const auto loading = press_guide(s, material);
+    answer.prediction = predict(s, description, &loading);
+    answer.assessment = assess(s, description, answer.prediction);
+    answer.guided = true;
+  } catch (const core::ConvergenceError& e) {
+    say(fmt::format("note: predicted without a guide: {}", e.what()));
   }
-  const auto loading = press_guide(s, material);
-  answer.prediction = predict(s, description, &loading);
-  answer.assessment = assess(s, description, answer.prediction);
 }
 
 /// What else could be done about a material that is not inside.
 std::string advice(const PredictOptions& o, const Answer& answer) {
   std::string text = fmt::format("`platen derive {} -o DIR` presses it", o.card);
-  if (answer.surrogate.guide && !o.guided)
+  if (answer.surrogate.guide && o.quick)
     text +=
-        fmt::format(", --guided on {} elements before it predicts (such curves are {:.2g} % off)",
+        fmt::format("; without --quick a press on {} elements comes first (such curves are {:.2g} % off)",
                     answer.surrogate.guide->elements, 100 * answer.surrogate.guide->left_out.force.median);
   return text;
 }
@@ -46,7 +46,9 @@ PredictedLaw predict_law(const material::Material& material, const PredictOption
         fmt::format("--law {}: there is no such law to predict{}", o.law, core::suggestion(o.law, laws)));
   const auto description = describe(material.model);
   auto answer = ask_catalogue(description);
-  if (o.guided) guide(answer, material, description, say);
+  // a press of what lies far away might take long, and would not bring it inside
+  if (answer.surrogate.guide && !o.quick && answer.assessment.in_ranges)
+    guide(answer, material, description, say);
   const auto& s = answer.surrogate;
   const bool outside = answer.assessment.verdict == Verdict::outside;
   const std::string why = fmt::format("{} is outside of what was pressed (pool {}): {}", material.name,

@@ -13,7 +13,7 @@ namespace platen::surrogate {
 
 struct PredictOptions {
   std::string law = "pressed", variant = "published"; ///< or edmans-sinka in a form of it
-  bool guided = false;                                ///< a press on few elements comes first
+  bool quick = false;                                 ///< without the press on few elements that guides
   bool extrapolate = false;                           ///< guess outside of what was pressed
   std::string card = "CARD.toml";                     ///< how advice names the material
 };

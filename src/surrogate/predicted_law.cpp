@@ -33,7 +33,9 @@ struct Held {
 };
 
 Held held(const Answer& answer) {
-  const auto& [s, p, a] = answer;
+  const auto& s = answer.surrogate;
+  const auto& p = answer.prediction;
+  const auto& a = answer.assessment;
   const auto first = [&](const std::vector<double>& values, std::size_t count) {
     return std::vector<double>(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(count));
   };
@@ -62,6 +64,7 @@ void say_where_from(fit::LawCard& card, const Answer& answer, const Held& h,
                      {"runs", static_cast<int>(s.runs.size())},
                      {"verdict", std::string(name_of(answer.assessment.verdict))},
                      {"engine", s.engine}};
+  if (answer.guided) card.provenance.emplace_back("guide_elements", s.guide->elements);
 }
 
 /// The law pressed wants curves that grow: held level where they fall, by less than is known of them anyway.
@@ -90,7 +93,7 @@ fit::LawCard pressed_card(const Answer& answer, const material::Material& materi
   card.law = "pressed";
   card.parameters = {{"E_Pa", core::number_text(material::initial_E(material.model))},
                      {"nu", core::number_text(material::initial_nu(material.model))},
-                     {"sigma_ref_Pa", core::number_text(material::reference_stress(material.model))},
+                     {"sigma_ref_Pa", core::number_text(answer.sigma_ref)},
                      {"delta_bar", list_of(h.knots)},
                      {"F_bar", list_of(F_bar)},
                      {"a_bar", list_of(a_bar)},
@@ -110,7 +113,7 @@ fit::LawCard edmans_sinka_card(const Answer& answer, const material::Material& m
   const Held h = held(answer);
   press::Curve curve;
   curve.radius_m = 1;
-  curve.sigma_ref_Pa = material::reference_stress(material.model);
+  curve.sigma_ref_Pa = answer.sigma_ref;
   curve.E_Pa = material::initial_E(material.model);
   curve.nu = material::initial_nu(material.model);
   curve.experiment = press::Simple::name;

@@ -1,6 +1,7 @@
 #include "surrogate/said.hpp"
 
 #include "fit/samples.hpp"
+#include "surrogate/ripples.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,10 +20,7 @@ double relative_l2(const std::vector<double>& x, const std::vector<double>& trut
 }
 
 double hertz_overlap(double F_bar, const Description& d) {
-  const double E_flat = d.model == "elastic"     ? 1 / (1 - std::pow(d.numbers[0].value, 2))
-                        : d.model == "von-mises" ? std::exp(d.coordinates[0])
-                                                 : d.numbers[1].value / (1 - std::pow(d.numbers[2].value, 2));
-  return std::pow(0.75 * std::numbers::pi * F_bar / E_flat, 2.0 / 3); // ES (12)
+  return std::pow(0.75 * std::numbers::pi * F_bar / d.E_flat, 2.0 / 3); // ES (12)
 }
 
 /// Of the unloading (9)-(14) of Edmans & Sinka, one side: overlap given back, and work over pi R0^3
@@ -70,8 +68,8 @@ Said said_of(const Surrogate& s, const Description& d, const Loading* guide) {
   const auto at = input_of(s, d.coordinates);
   Said said;
   if (guide) {
-    said.F = logarithms(guide->F_bar);
-    said.a = logarithms(guide->a_bar);
+    said.F = without_ripples(s.knots, logarithms(guide->F_bar));
+    said.a = without_ripples(s.knots, logarithms(guide->a_bar));
     add_loading(said, s.guide->change, at);
   }
   for (std::size_t l = guide ? 1 : 0; l < s.layers.size(); ++l) add_loading(said, s.layers[l], at);

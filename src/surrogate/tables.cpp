@@ -1,6 +1,7 @@
 #include "surrogate/tables.hpp"
 
 #include "core/error.hpp"
+#include "surrogate/ripples.hpp"
 
 #include <fmt/format.h>
 
@@ -24,8 +25,12 @@ Table logarithms(const PoolData& data, std::initializer_list<std::vector<double>
 } // namespace
 
 Tables tables_of(const PoolData& data) {
-  return {logarithms(data, {&Pressed::F_bar}), logarithms(data, {&Pressed::a_bar}),
-          logarithms(data, {&Pressed::alpha, &Pressed::beta})};
+  Tables tables{logarithms(data, {&Pressed::F_bar}), logarithms(data, {&Pressed::a_bar}),
+                logarithms(data, {&Pressed::alpha, &Pressed::beta})};
+  if (data.elements < ripple_free_elements)
+    for (const auto table : {&Tables::force, &Tables::radius})
+      for (auto& row : tables.*table) row = without_ripples(data.knots, row);
+  return tables;
 }
 
 std::vector<Both> in_both(const PoolData& fine, const PoolData& coarse) {

@@ -8,7 +8,7 @@
 
 namespace platen::surrogate {
 
-/// A row a run: ln F_bar, ln a_bar at the knots; ln alpha, ln beta of the unloadings.
+/// A row a run: ln F_bar, ln a_bar at the knots, without ripples; ln alpha, ln beta of the unloadings.
 struct Tables {
   Table force, radius, unloading;
 };

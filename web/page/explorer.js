@@ -432,7 +432,7 @@ function verdict() {
   setText('badge', mark);
   setText('verdict-word', title);
   const why = p.reasons.length ? sentenceOf(p.reasons.join('; ')) + ' ' : '';
-  const measuredBy = p.verdict === 'inside' ? '' : ` To know better, press it: platen derive material.toml -o out.`;
+  const measuredBy = p.verdict === 'inside' ? '' : ` To know better, press it: platen predict material.toml presses it on few elements, platen derive material.toml -o out on many.`;
   const expected = why.includes('expected to be') ? '' : `The curve is expected to be ${percent(p.expected)} off. `;
   setText('why', `${why}${expected}Nine tenths of the points of such curves lie in the blue band.${measuredBy}`);
   $('near').innerHTML = p.near.map((text) => { const [name, rest] = text.split(': '); return `<li><strong>${name}</strong> ${rest ?? ''}</li>`; }).join('');

@@ -123,7 +123,9 @@ std::string Explorer::predict(const law::ParameterTexts& texts) {
   card_.reset();
   material_ = material_of(texts);
   const auto answer = ask(*material_);
-  const auto& [s, p, a] = answer;
+  const auto& s = answer.surrogate;
+  const auto& p = answer.prediction;
+  const auto& a = answer.assessment;
   card_ = surrogate::pressed_card(answer, *material_);
   knots_.assign(s.knots.begin(), s.knots.begin() + static_cast<std::ptrdiff_t>(a.knots));
   band_.assign(p.band.begin(), p.band.begin() + static_cast<std::ptrdiff_t>(a.knots));

@@ -80,7 +80,7 @@ test('values on screen are those of the program, 50 random materials', { timeout
       Object.entries(s.values).map(([key, value]) => `${key} = ${value}\n`).join(''));
     let card = null;
     try {
-      execFileSync(platen, ['predict', 'material.toml', '--extrapolate', '-o', 'law.toml'], { cwd: work, stdio: 'pipe' });
+      execFileSync(platen, ['predict', 'material.toml', '--quick', '--extrapolate', '-o', 'law.toml'], { cwd: work, stdio: 'pipe' });
       card = readFileSync(join(work, 'law.toml'), 'utf8');
     } catch (error) { // the page must then say so too
       assert.equal(error.status, 2, String(error.stderr));
@@ -122,7 +122,7 @@ test('what is downloaded is what the program writes', async () => {
     await page.selectOption('#card', card);
     await page.waitForFunction((r) => document.documentElement.dataset.revision !== r, middle);
     const law = await download(page, '[data-file="law.toml"]');
-    execFileSync(platen, ['predict', card, '-o', join(work, 'card.toml')], { stdio: 'pipe' });
+    execFileSync(platen, ['predict', card, '--quick', '-o', join(work, 'card.toml')], { stdio: 'pipe' });
     assert.equal(law, readFileSync(join(work, 'card.toml'), 'utf8'));
   }
   writeFileSync(join(work, 'law.toml'), await download(page, '[data-file="law.toml"]'));
@@ -247,7 +247,7 @@ test('links carry the state, broken ones are told', async () => {
 
 const curveOf = (radius, name) => {
   const card = join(work, 'fit-law.toml');
-  execFileSync(platen, ['predict', name, '-o', card], { stdio: 'pipe' });
+  execFileSync(platen, ['predict', name, '--quick', '-o', card], { stdio: 'pipe' });
   const rows = execFileSync(platen, ['eval', card, '-p', `radius_m=${radius}`, '--against', 'plane', '--overlap', `0:${0.3 * radius}:101`], { stdio: ['ignore', 'pipe', 'ignore'] }).toString().trim().split('\n').slice(1);
   return 'delta_m,force_N\n' + rows.map((row) => row.split(',').slice(0, 2).join(',')).join('\n') + '\n';
 };

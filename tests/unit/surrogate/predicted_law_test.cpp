@@ -25,6 +25,7 @@ Answer answer() {
                   std::vector<double>(9, 0.01),
                   std::vector<double>(9, 0.01)};
   a.assessment.knots = 9;
+  a.sigma_ref = 2e7;
   return a;
 }
 

@@ -1,6 +1,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "surrogate/assess.hpp"
+#include "surrogate/ripples.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -39,6 +40,7 @@ PoolData metals(double factor = 1, double from = 20, double to = 2000, int count
   PoolData data;
   data.name = "metals";
   data.engine = 6;
+  data.elements = ripple_free_elements;
   data.asked = static_cast<std::size_t>(count);
   data.knots = {0.002, 0.01, 0.05, 0.1, 0.3, 0.5};
   data.unload_delta_bar = {0.1, 0.5};
@@ -73,6 +75,21 @@ TEST(Surrogate, SaysCurvesBetweenThoseOfItsPool) {
   EXPECT_LT(worst(p.alpha, truth.alpha), 2e-3);
   EXPECT_LT(worst(p.beta, truth.beta), 2e-3);
   EXPECT_EQ(assess(s, truth.description, p).verdict, Verdict::inside);
+}
+
+// A curve as powers have it, with and without the ripples of a contact that grows by elements.
+TEST(Ripples, AreSmoothedAndBendsStay) {
+  std::vector<double> knots, curve, rippled;
+  for (int i = 0; i < 50; ++i) {
+    knots.push_back(0.01 * (i + 1));
+    curve.push_back(1.5 * std::log(knots.back()) + 2 * knots.back() * knots.back());
+    rippled.push_back(curve.back() + 0.04 * std::sin(2 * std::numbers::pi * knots.back() / 0.05));
+  }
+  const auto still = without_ripples(knots, curve), calm = without_ripples(knots, rippled);
+  for (std::size_t i = 3; i + 3 < knots.size(); ++i) {
+    EXPECT_NEAR(still[i], curve[i], 0.004) << knots[i];
+    EXPECT_NEAR(calm[i], curve[i], 0.02) << knots[i];
+  }
 }
 
 TEST(Surrogate, DoesNotDependOnUnits) {
@@ -162,9 +179,20 @@ TEST(Surrogate, NamesTheNearestMaterials) {
   EXPECT_EQ(s.runs[near[1].index], "metals-2");
 }
 
-TEST(Surrogate, HasNoPoolOfMaterialsThatHardenOrOfRock) {
-  EXPECT_THROW((void)describe(material::VonMises{1e9, 0.3, 1e7, material::Ludwik{1e7, 0.3}}),
-               core::InvalidInput);
+// Hollomon's law has a yield stress of its own, kappa (kappa/E)^(m'/(1 - m')), m' = 1/m.
+TEST(Surrogate, SeesTheFlowStressOfAMetalThatHardens) {
+  const auto hollomon = describe(material::VonMises{1e9, 0.3, 0, material::Hollomon{1e7, 0.5}});
+  EXPECT_NEAR(hollomon.sigma_ref, 1e5, 1e-3);
+  EXPECT_NEAR(hollomon.numbers[0].value, 1e4, 1e-3);
+  material::HardeningTable table({0, 0.1, 0.5, 5}, {1e7, 1.5e7, 2e7, 2e7});
+  const auto d = describe(material::VonMises{1e9, 0.3, 0, table});
+  EXPECT_EQ(d.model, "von-mises-hardening");
+  EXPECT_NEAR(d.numbers[2].value, 1.5, 1e-12);
+  EXPECT_NEAR(d.numbers[3].value, 2, 1e-12);
+  EXPECT_NEAR(d.coordinates[3], std::log(1.625), 1e-12) << "at 0.2";
+}
+
+TEST(Surrogate, HasNoPoolOfRock) {
   EXPECT_THROW((void)describe(material::DruckerPrager{}), core::InvalidInput);
 }
 
