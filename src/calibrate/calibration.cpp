@@ -20,7 +20,15 @@ using core::InvalidInput;
 using measure::Measurement, measure::Specimen;
 
 // Two parameters cannot be told apart where they are so correlated and one of them is so uncertain.
-constexpr double alike = 0.95, uncertain = 0.1;
+constexpr double alike = 0.9, uncertain = 0.1;
+constexpr double weak = 0.05; // relative standard error from which on the profile likelihood is asked
+
+/// What is looked for in a material, as that of a law.
+FreeLaw free_law_of(const Settings& settings) {
+  if (!settings.material) return free_law(settings.law);
+  const auto& m = *settings.material;
+  return {"pressed", m.free(), m.strength(), true};
+}
 
 const law::Parameter* parameter(const law::LawInfo& info, std::string_view key) {
   for (const auto& p : info.parameters)
@@ -79,16 +87,42 @@ Quality quality(const Particle& p) {
 class Calibrator {
  public:
   Calibrator(const std::vector<Measurement>& measurements, const Settings& settings)
-      : measurements_(measurements), settings_(settings), law_(free_law(settings.law)) {
-    refuse_missing(law_, settings);
-    task_.card.law = settings.law;
+      : measurements_(measurements), settings_(settings), law_(free_law_of(settings)) {
+    task_.card.law = law_.law;
     task_.card.variant = settings.variant;
     task_.card.parameters = settings.given;
+    if (settings.material) make_of_material();
+    else make_of_law();
     task_.scales = law_.scales;
     task_.strength = law_.strength;
     task_.ratio_most = law_.ratio_most;
     for (const auto& p : law_.parameters)
       if (!settings.given.contains(p.key)) task_.free.push_back(p);
+  }
+
+  void make_of_law() {
+    refuse_missing(law_, settings_);
+    task_.make = [this](law::ParameterTexts texts, double radius_m) -> AnyLaw {
+      texts["radius_m"] = core::number_text(radius_m), texts["against"] = "plane";
+      return fit::make_law(task_.card, texts);
+    };
+  }
+
+  void make_of_material() {
+    const auto typical = settings_.material->typical();
+    task_.card.parameters["nu"] = core::number_text(material::initial_nu(typical.model));
+    task_.make = [this](const law::ParameterTexts& texts, double radius_m) -> AnyLaw {
+      try {
+        return law::prepare_on_rigid_plane(settings_.curves.of(settings_.material->with(texts)), radius_m);
+      } catch (const law::BadParameter& error) { throw InvalidInput(error.what()); }
+    };
+    if (!settings_.curves.astray) return;
+    task_.astray = [this](const law::ParameterTexts& texts, double radius_m) {
+      std::vector<AnyLaw> laws;
+      for (const auto& m : settings_.curves.astray(settings_.material->with(texts)))
+        laws.emplace_back(law::prepare_on_rigid_plane(m, radius_m));
+      return laws;
+    };
   }
 
   Calibration run() {
@@ -171,12 +205,11 @@ class Calibrator {
   /// One particle that cannot be fitted alone, as one of a batch that did not unload, does not stop the
   /// others.
   void fit_each() {
-    std::vector<double> start; // where the first ended
+    std::vector<double> start = settings_.start; // where the first ended
     for (auto& p : c_.particles) {
       Task task = task_;
       std::erase_if(task.free, [&](const auto& f) { return f.of_unloading && !p.samples.unloads; });
       if (task.free.size() != task_.free.size()) continue;
-      task.curve_stress_Pa = task_.curve_stress_Pa;
       const Solution found = search(task, {p.samples}, start);
       if (start.empty()) start = found.values;
       p.values = found.values, p.errors = found.errors;
@@ -199,11 +232,36 @@ class Calibrator {
     return medians;
   }
 
+  void take(const Solution& all) {
+    c_.values = all.values, c_.errors = all.errors, c_.noise_errors = all.noise_errors;
+    c_.correlations = all.correlations;
+  }
+
+  /// What a profile found to be better than the solution, if any did.
+  std::optional<State> take_profiles(const Solution& all) {
+    c_.profiles.clear();
+    std::optional<State> better;
+    for (std::size_t k = 0; k < task_.free.size(); ++k) {
+      c_.profiles.emplace_back();
+      if (!settings_.all_profiles && !weakly_determined(k)) continue;
+      c_.profiles.back() = profile(task_, all, k, settings_.all_profiles);
+      const auto& found = c_.profiles.back()->better;
+      if (found && (!better || found->cost < better->cost)) better = found;
+    }
+    return better;
+  }
+
   void fit_all() {
     std::vector<Samples> samples;
     for (const auto& p : c_.particles) samples.push_back(p.samples);
-    const Solution all = search(task_, samples, middle());
-    c_.values = all.values, c_.errors = all.errors, c_.correlations = all.correlations;
+    Solution all = search(task_, samples, settings_.start.empty() ? middle() : settings_.start);
+    constexpr int most = 3;
+    for (int again = 0; again < most; ++again) {
+      take(all);
+      const auto better = take_profiles(all);
+      if (!better) break;
+      all = search_on(task_, all, *better);
+    }
     double sum = 0, weight = 0;
     for (std::size_t i = 0; i < c_.particles.size(); ++i) {
       auto& p = c_.particles[i];
@@ -261,6 +319,13 @@ class Calibrator {
     }
   }
 
+  bool weakly_determined(std::size_t k) const {
+    if (!(c_.errors[k] < weak * std::abs(c_.values[k]))) return true;
+    for (std::size_t j = 0; j < task_.free.size(); ++j)
+      if (j != k && std::abs(c_.correlations[k][j]) > alike && (vague(k) || vague(j))) return true;
+    return false;
+  }
+
   bool vague(std::size_t k) const { return !(c_.errors[k] < uncertain * std::abs(c_.values[k])); }
 
   /// Standard errors know noise alone; particles of one batch may differ by more.
@@ -288,8 +353,10 @@ class Calibrator {
                           "them, or measure what parts them, as an unloading",
                           task_.free[j].key, task_.free[i].key, c_.correlations[i][j]));
       if (!(c_.errors[i] < 0.3 * std::abs(c_.values[i])) && task_.free[i].logarithmic)
-        c_.said.push_back(fmt::format("these curves hardly determine {}: {:.3g} +- {:.2g}", task_.free[i].key,
-                                      c_.values[i], c_.errors[i]));
+        c_.said.push_back(fmt::format("these curves hardly determine {}: {}", task_.free[i].key,
+                                      c_.profiles[i]
+                                          ? words_of(*c_.profiles[i])
+                                          : fmt::format("{:.3g} +- {:.2g}", c_.values[i], c_.errors[i])));
     }
   }
 
@@ -304,12 +371,20 @@ class Calibrator {
     const auto number = [](double v) { return *core::number_from(fmt::format("{:.4g}", v)); };
     card.errors.emplace_back("relative_l2", number(c_.relative_l2));
     card.errors.emplace_back("R2", *core::number_from(fmt::format("{:.6g}", c_.R2)));
+    const auto bare = [&](std::size_t k) { // "hardening.kappa_Pa" would be a key in a section
+      const auto& key = task_.free[k].key;
+      return key.substr(key.find('.') + 1);
+    };
     for (std::size_t k = 0; k < task_.free.size(); ++k)
       if (std::isfinite(c_.errors[k]))
-        card.errors.emplace_back("standard_error_" + task_.free[k].key, number(c_.errors[k]));
+        card.errors.emplace_back("standard_error_" + bare(k), number(c_.errors[k]));
+    for (std::size_t k = 0; k < task_.free.size(); ++k)
+      if (const auto& p = c_.profiles[k]; p && !p->open_low && !p->open_high)
+        card.errors.emplace_back("profile_95_" + bare(k),
+                                 std::vector<double>{number(p->low), number(p->high)});
     for (std::size_t i = 0; i < task_.free.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        card.errors.emplace_back(fmt::format("correlation_{}_{}", task_.free[j].key, task_.free[i].key),
+        card.errors.emplace_back(fmt::format("correlation_{}_{}", bare(j), bare(i)),
                                  number(c_.correlations[i][j]));
     auto& from = card.provenance;
     int n = 0;
@@ -348,7 +423,7 @@ class Calibrator {
 
   const std::vector<Measurement>& measurements_;
   const Settings& settings_;
-  const FreeLaw& law_;
+  const FreeLaw law_;
   Task task_;
   std::vector<const Specimen*> specimens_;
   Calibration c_;

@@ -334,6 +334,35 @@ answers 2 'stiff as an elastic sphere' "$platen" calibrate raw.csv --law shahin 
 has_not doubted.toml
 answers 0 'doubted:' "$platen" calibrate raw.csv --law shahin --nu 0.3 --E_Pa 3e6 -o doubted.toml --force
 grep -q '^doubts = ' doubted.toml || { failures=$((failures + 1)); echo 'FAILED: the card has no doubts'; }
+cat >bead.toml <<'END'
+platen = 1
+experiment = "simple"
+radius_m = 0.5e-3
+material = { platen = 1, name = "bead", model = "von-mises", parameters = { E_Pa = 2e9, sigma_y_Pa = 25e6, nu = 0.3 } }
+[path]
+delta_bar_max = 0.2
+unload_from = [0.1, 0.2]
+[mesh]
+elements = 300
+END
+answers 0 'results in' "$platen" press bead.toml -o bead --as-measured beads.csv --particles 2 --seed 3
+answers 0 '1 loop, 1 last unloading' "$platen" import beads.csv
+cp beads.csv same.csv
+answers 0 'results in' "$platen" press bead.toml -o bead --as-measured beads.csv --particles 2 --seed 3
+cmp beads.csv same.csv || failures=$((failures + 1))
+sed '/delta_bar_max/,/unload/d; s/"simple"/"die"/' bead.toml >bead-die.toml
+answers 2 'is for experiment = "simple"' "$platen" press bead-die.toml -o bead --as-measured beads.csv
+answers 0 'sigma_y_Pa' "$platen" calibrate beads.csv --material von-mises --nu 0.3 -o metal.toml --law-card metal-law.toml \
+  --profiles profiles.svg --picture beads.svg
+answers 0 'von-mises' "$platen" materials metal.toml
+answers 0 ',loading,' "$platen" eval metal-law.toml -p radius_m=1e-3 --overlap 1e-5:1e-4:3
+has profiles.svg
+answers 0 '"value_deviance"' "$platen" calibrate beads.csv --model von-mises --nu 0.3 --profiles --json
+answers 2 'nu is missing' "$platen" calibrate beads.csv --material von-mises
+answers 2 '--material CARD' "$platen" calibrate beads.csv --material vmdc
+answers 2 'give one of the two' "$platen" calibrate beads.csv --material von-mises --law hertz --nu 0.3
+answers 2 '--press is for --material' "$platen" calibrate beads.csv --law hertz --nu 0.3 --press
+answers 2 '--press calibrates through presses' "$platen" calibrate beads.csv --material lead-hollomon
 answers 2 'it is travel' "$platen" fit imported.csv --law edmans-sinka --displacement-is delta
 answers 0 'relative L2' "$platen" fit raw.csv --law edmans-sinka
 awk 'BEGIN { print "delta_m,force_N"; for (i = 0; i <= 50; ++i) print i * 1e-5 "," i * 1e-1 }' >unit.csv
