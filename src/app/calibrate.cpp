@@ -1,5 +1,7 @@
 #include "app/commands.hpp"
+#include "app/law_arguments.hpp"
 #include "app/measured_arguments.hpp"
+#include "calibrate/ask.hpp"
 #include "calibrate/calibration.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
@@ -20,7 +22,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> curves, parameters;
-  std::string law, material, free, variant, card, law_card, picture;
+  std::string law, material, free, variant, card, law_card, picture, ask, tell;
   MeasuredArguments measured;
   std::optional<double> E_Pa, nu;
   std::optional<Option> profiles_option;
@@ -43,6 +45,7 @@ void settle_what(Options& o) {
   for (const auto& [option, value] : {std::pair{"--free", o.free}, {"--law-card", o.law_card}})
     if (!value.empty() && !o.of_material())
       throw core::InvalidInput(fmt::format("{} is for --material", option));
+  if (o.ask.empty() != o.tell.empty()) refuse_missing(o.ask.empty() ? "--ask" : "--tell");
   if (o.press && !o.of_material()) throw core::InvalidInput("--press is for --material");
   if (o.of_material() && !o.variant.empty()) throw core::InvalidInput("--variant is for --law");
 }
@@ -62,10 +65,8 @@ calibrate::Settings settings_of(const Options& o) {
   settings.law = o.law;
   settings.variant = o.variant;
   for (const auto& p : o.parameters) {
-    const auto equals = p.find('=');
-    if (equals == std::string::npos || equals == 0)
-      throw core::InvalidInput(fmt::format("-p {} is not of the form key=value", p));
-    settings.given[p.substr(0, equals)] = p.substr(equals + 1);
+    const auto [key, value] = parameter_from(p);
+    settings.given[key] = value;
   }
   if (o.E_Pa) settings.given["E_Pa"] = core::number_text(*o.E_Pa);
   if (o.nu) settings.given["nu"] = core::number_text(*o.nu);
@@ -75,6 +76,7 @@ calibrate::Settings settings_of(const Options& o) {
     settings.material =
         std::make_shared<calibrate::FreeMaterial>(o.material, settings.given, list_of(o.free));
   else (void)calibrate::free_law(o.law);
+  if (!o.ask.empty()) settings.asked = calibrate::read_asked(o.ask, calibrate::free_parameters(settings));
   return settings;
 }
 
@@ -143,6 +145,8 @@ void run_calibrate(Options o) {
     throw;
   }
   if (!flags.empty()) c.card.provenance.emplace_back("doubts", fmt::format("{}", fmt::join(flags, "; ")));
+  if (!o.tell.empty())
+    core::write_file(o.tell, o.tell.ends_with(".json") ? calibrate::told_json(c) : calibrate::told_csv(c));
   const auto& law_card = o.of_material() ? o.law_card : o.card;
   if (!law_card.empty()) core::write_file(law_card, text_of(c.card));
   if (o.of_material() && !o.card.empty()) core::write_file(o.card, calibrate::material_card(c, flags));
@@ -190,6 +194,11 @@ void add_calibrate(Command program) {
   o->profiles_option->value_optional();
   command
       .add_option("--picture", o->picture, "draw what was measured, cut, corrected and fitted: .svg or .png")
+      .type_name("FILE");
+  command
+      .add_option("--ask", o->ask, "for a driver of its own: sets of parameters, a row each under their keys")
+      .type_name("SETS.csv");
+  command.add_option("--tell", o->tell, "what the particles say of each; .json: with all forces")
       .type_name("FILE");
   add_measured_arguments(command, o->measured, true);
   command.add_flag("--json", o->json, "for a machine to read");

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <map>
 #include <numbers>
+#include <utility>
 
 namespace platen::calibrate {
 namespace {
@@ -115,6 +116,8 @@ Calibration by_presses(const std::vector<measure::Measurement>& measurements, Se
                        const std::function<void(const std::string&)>& say) {
   const auto& sought = *settings.material;
   const Reach reach = reach_of(measurements, settings);
+  const auto asked = std::exchange(settings.asked, {}); // for the last of the searches
+  const bool all_profiles = std::exchange(settings.all_profiles, false);
   constexpr double room = 1.05, most = 0.5;
   settings.start = beginning(measurements, settings);
   PressCurves presses(sought, settings.start,
@@ -132,6 +135,7 @@ Calibration by_presses(const std::vector<measure::Measurement>& measurements, Se
     settings.start = calibrate(measurements, settings).values;
     off = presses.press(settings.start);
   }
+  settings.asked = asked, settings.all_profiles = all_profiles;
   Calibration c = calibrate(measurements, settings);
   c.material = found(c, sought);
   auto curve = presses.last().curve;

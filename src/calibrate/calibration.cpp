@@ -96,8 +96,8 @@ class Calibrator {
     task_.scales = law_.scales;
     task_.strength = law_.strength;
     task_.ratio_most = law_.ratio_most;
-    for (const auto& p : law_.parameters)
-      if (!settings.given.contains(p.key)) task_.free.push_back(p);
+    task_.free = free_parameters(settings);
+    if (task_.free.empty()) throw InvalidInput("all parameters are given: nothing is left to be looked for");
   }
 
   void make_of_law() {
@@ -284,6 +284,22 @@ class Calibrator {
     }
     c_.R2 = sum / weight;
     doubt(all);
+    for (const auto& values : settings_.asked) tell(all, values);
+  }
+
+  void tell(const Solution& best, const std::vector<double>& values) {
+    const Trial t = trial(task_, best, values);
+    Told told{values, t.deviance, 0, 0, {}};
+    if (t.own.empty()) told.relative_l2 = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < t.own.size(); ++i) {
+      Particle p = c_.particles[i];
+      p.baseline_N = t.own[i].baseline_N, p.drift_N = t.own[i].drift_N, p.force_N = t.own[i].force_N;
+      const Quality q = quality(p);
+      told.R2 += q.R2 / static_cast<double>(t.own.size());
+      told.relative_l2 = std::max(told.relative_l2, q.relative_l2);
+      told.force_N.push_back(p.force_N);
+    }
+    c_.told.push_back(std::move(told));
   }
 
   std::optional<double> known(std::string_view key) const {
@@ -430,6 +446,12 @@ class Calibrator {
 };
 
 } // namespace
+
+std::vector<FreeParameter> free_parameters(const Settings& settings) {
+  auto free = free_law_of(settings).parameters;
+  std::erase_if(free, [&](const auto& p) { return settings.given.contains(p.key); });
+  return free;
+}
 
 Calibration calibrate(const std::vector<Measurement>& measurements, const Settings& settings) {
   return Calibrator(measurements, settings).run();

@@ -22,6 +22,20 @@ struct Settings {
   std::shared_ptr<const FreeMaterial> material = {}; ///< is looked for instead of a law
   Curves curves = {};                                ///< of its materials
   std::vector<double> start = {};                    ///< of what is free; empty: from a grid
+  std::vector<std::vector<double>> asked = {};       ///< sets of what is free that are to be judged
+};
+
+/// What is looked for. InvalidInput for a law that cannot be calibrated.
+std::vector<FreeParameter> free_parameters(const Settings&);
+
+/// A set of parameters that was asked for.
+struct Told {
+  std::vector<double> values;
+  double deviance = std::numeric_limits<double>::infinity(); ///< -2 ln(L/L_max)
+  double R2 = 0, relative_l2 = std::numeric_limits<double>::infinity();
+  /// Of each particle at its samples, as those of the instrument without the zero of its load cell; empty:
+  /// there is no such material.
+  std::vector<std::vector<double>> force_N;
 };
 
 /// One particle that was used.
@@ -54,6 +68,7 @@ struct Calibration {
   std::vector<std::vector<double>> correlations;
   std::vector<std::optional<Profile>> profiles; ///< of each free parameter, where it was asked for
   std::optional<material::Material> material;
+  std::vector<Told> told;
   std::vector<Particle> particles;
   std::vector<std::string> broken; ///< kept out, a sentence each
   std::vector<std::string> said;   ///< what else was done or cannot be told

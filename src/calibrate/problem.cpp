@@ -71,7 +71,7 @@ std::array<double, 2> bounds(const Task& task, std::size_t k) {
 }
 
 Problem::Problem(Workshop& workshop, const std::vector<Samples>& samples, State state,
-                 std::optional<std::size_t> held)
+                 const std::vector<int>& held)
     : samples_(samples), state_(std::move(state)) {
   const Task& task = workshop.task();
   ceres::NumericDiffOptions numeric;
@@ -101,10 +101,10 @@ Problem::Problem(Workshop& workshop, const std::vector<Samples>& samples, State 
     problem_.SetParameterLowerBound(state_.theta.data(), static_cast<int>(k), low + margin);
     problem_.SetParameterUpperBound(state_.theta.data(), static_cast<int>(k), high - margin);
   }
-  if (held && task.free.size() == 1) problem_.SetParameterBlockConstant(state_.theta.data());
-  else if (held)
-    problem_.SetManifold(state_.theta.data(), new ceres::SubsetManifold(static_cast<int>(task.free.size()),
-                                                                        {static_cast<int>(*held)}));
+  if (held.size() == task.free.size()) problem_.SetParameterBlockConstant(state_.theta.data());
+  else if (!held.empty())
+    problem_.SetManifold(state_.theta.data(),
+                         new ceres::SubsetManifold(static_cast<int>(task.free.size()), held));
 }
 
 State Problem::solve() {

@@ -9,7 +9,6 @@
 #include <ceres/problem.h>
 
 #include <array>
-#include <optional>
 #include <vector>
 
 namespace platen::calibrate {
@@ -24,8 +23,8 @@ std::array<double, 2> bounds(const Task&, std::size_t k);
 
 class Problem {
  public:
-  /// `held`: this theta stays.
-  Problem(Workshop&, const std::vector<Samples>&, State, std::optional<std::size_t> held = {});
+  /// `held`: these theta stay.
+  Problem(Workshop&, const std::vector<Samples>&, State, const std::vector<int>& held = {});
 
   /// Throws core::Interrupted.
   State solve();

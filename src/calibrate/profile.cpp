@@ -94,7 +94,7 @@ class Profiler {
 
   State held_at(double theta, State start) {
     start.theta[k_] = theta;
-    State found = Problem(workshop_, best_.samples, std::move(start), k_).solve();
+    State found = Problem(workshop_, best_.samples, std::move(start), {static_cast<int>(k_)}).solve();
     constexpr double noticed = 0.05; // of the deviance of one standard error
     const double least = better_ ? better_->cost : best_.state.cost;
     if (2 * (least - found.cost) > noticed * best_.reduced_chi_squared) better_ = found;

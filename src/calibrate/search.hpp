@@ -39,6 +39,14 @@ Solution search(const Task&, std::vector<Samples>, const std::vector<double>& st
 /// The same from where a profile went lower; weights stay.
 Solution search_on(const Task&, const Solution&, State from);
 
+/// What a set of parameters gives: the deviance -2 ln(L/L_max) beside the solution, contact points and zeros
+/// of load cells fitted anew; and what belongs to each particle.
+struct Trial {
+  double deviance = std::numeric_limits<double>::infinity();
+  std::vector<Own> own; ///< empty: the law has no such material
+};
+Trial trial(const Task&, const Solution&, const std::vector<double>& values);
+
 /// Standard errors, correlations and the law at a minimum. What is not known of the law (Task::astray) adds
 /// to the covariance: each way astray shifts the minimum by (J^T J)^-1 J^T dF/sigma.
 Solution solution_of(Workshop&, std::vector<Samples>, State);

@@ -51,7 +51,36 @@ Eigen::MatrixXd of_the_law(Workshop& workshop, const std::vector<Samples>& sampl
   return sum;
 }
 
+Own own_of(Workshop& workshop, const Samples& s, const State& state, std::size_t p) {
+  Own own;
+  own.contact_m = s.contact_guess_m + state.contact[p] * s.radius_m;
+  own.baseline_fitted = zero_parameters(s) > 0, own.drift_fitted = zero_parameters(s) > 1;
+  own.baseline_N = state.zero[p][0] * s.force_max_N, own.drift_N = state.zero[p][1] * s.force_max_N;
+  workshop.predicted(s, state.theta.data(), own.contact_m, own.force_N);
+  return own;
+}
+
 } // namespace
+
+Trial trial(const Task& task, const Solution& best, const std::vector<double>& values) {
+  Workshop workshop(task);
+  const Coordinates c{task};
+  State state = best.state;
+  std::vector<int> all;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    all.push_back(static_cast<int>(k));
+    if (task.free[k].logarithmic && !(values[k] > 0)) return {};
+    state.theta[k] = c.inside(k, values[k]);
+    const auto [low, high] = bounds(task, k);
+    if (!(state.theta[k] >= low && state.theta[k] <= high)) return {};
+  }
+  if (!workshop.law(state.theta.data(), workshop.made_for(best.samples.front()))) return {};
+  state = Problem(workshop, best.samples, std::move(state), all).solve();
+  Trial t{2 * (state.cost - best.state.cost) / best.reduced_chi_squared, {}};
+  for (std::size_t p = 0; p < best.samples.size(); ++p)
+    t.own.push_back(own_of(workshop, best.samples[p], state, p));
+  return t;
+}
 
 Solution solution_of(Workshop& workshop, std::vector<Samples> samples, State state) {
   const Task& task = workshop.task();
@@ -92,12 +121,8 @@ Solution solution_of(Workshop& workshop, std::vector<Samples> samples, State sta
     }
   for (std::size_t p = 0; p < n; ++p) {
     const auto& s = samples[p];
-    Own own;
-    own.contact_m = s.contact_guess_m + state.contact[p] * s.radius_m;
+    Own own = own_of(workshop, s, state, p);
     own.contact_error_m = curvature.deviation(covariance, static_cast<Eigen::Index>(free + p)) * s.radius_m;
-    own.baseline_fitted = zero_parameters(s) > 0, own.drift_fitted = zero_parameters(s) > 1;
-    own.baseline_N = state.zero[p][0] * s.force_max_N, own.drift_N = state.zero[p][1] * s.force_max_N;
-    workshop.predicted(s, state.theta.data(), own.contact_m, own.force_N);
     solution.own.push_back(std::move(own));
   }
   solution.samples = std::move(samples), solution.state = std::move(state);

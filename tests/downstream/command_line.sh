@@ -217,7 +217,7 @@ answers 2 "did you mean 'wang'" "$platen" laws wan
 answers 0 ',loading,0,true' "$platen" eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-6:3
 answers 0 'warning: 1 of 2 points are outside' "$platen" eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-3:2
 answers 2 'known are: hertz, similarity' "$platen" eval hertzz --overlap 0:1:3
-answers 2 'known are: radius_m' "$platen" eval hertz -p radius=1 --overlap 0:1:3
+answers 2 'write -p radius_m=1' "$platen" eval hertz -p radius=1 --overlap 0:1:3
 answers 2 'nu = 0.5 is not in [0, 0.5)' "$platen" eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.5 --overlap 0:1:3
 answers 0 'unloading_exponent' "$platen" export table hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 1e-7:1e-6:3
 
@@ -312,6 +312,16 @@ has unable/curve.csv
 grep -qF '"complete": false' unable/summary.json || { failures=$((failures + 1)); echo 'FAILED: summary.json calls it complete'; }
 has_not unable/law.toml
 
+# --- units ---
+printf 'platen = 1\nname = "u"\nmodel = "von-mises"\n[parameters]\nE = "2 GPa"\nsigma_y = "25 N/mm2"\nnu = 0.3\n' >unit.toml
+answers 0 '2.5e7' "$platen" materials unit.toml
+answers 0 '1e-5,0.51802' "$platen" eval hertz -p radius=1mm -p 'E=1 GPa' -p nu=0.3 --overlap 0:10um:3
+answers 2 'has no unit' "$platen" eval hertz -p radius=1 -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-5:3
+answers 2 'is a length; it must be a stress' "$platen" eval hertz -p radius=1mm -p E=1mm -p nu=0.3 --overlap 0:1e-5:3
+answers 0 'inside' "$platen" predict --E '2 GPa' --nu 0.3 --sigma_y '20 MPa' -o unit-law.toml
+answers 2 'are the same' "$platen" predict --E '2 GPa' --E_Pa 2e9 --nu 0.3 --sigma_y '20 MPa' -o unit-law.toml
+answers 2 'is no number with a unit' "$platen" predict --E '2 Gpa' --nu 0.3 --sigma_y '20 MPa' -o unit-law.toml
+
 # --- measurements ---
 {
   printf '"Probendurchmesser";1,00;"mm"\r\n"Standardweg";"Standardkraft"\r\n"mm";"N"\r\n'
@@ -359,6 +369,12 @@ answers 0 ',loading,' "$platen" eval metal-law.toml -p radius_m=1e-3 --overlap 1
 has profiles.svg
 answers 0 '"value_deviance"' "$platen" calibrate beads.csv --model von-mises --nu 0.3 --profiles --json
 answers 2 'nu is missing' "$platen" calibrate beads.csv --material von-mises
+printf 'E_Pa,sigma_y_Pa,what\n2e9,25e6,1\n2e9,1e3,2\n' >asked.csv
+answers 0 'sigma_y_Pa' "$platen" calibrate beads.csv --material von-mises --nu 0.3 --ask asked.csv --tell told.csv
+grep -q '^1000,2e9,inf,-inf,inf$' told.csv && [ "$(wc -l <told.csv)" -eq 3 ] || { failures=$((failures + 1)); cat told.csv; }
+answers 2 "column sigma_y_Pa is missing" "$platen" calibrate beads.csv --material von-mises --nu 0.3 --ask beads.csv --tell told.csv
+answers 2 '--tell is required' "$platen" calibrate beads.csv --material von-mises --nu 0.3 --ask asked.csv
+answers 2 'nothing is left' "$platen" calibrate beads.csv --law hertz --nu 0.3 --E '2 GPa'
 answers 2 '--material CARD' "$platen" calibrate beads.csv --material vmdc
 answers 2 'give one of the two' "$platen" calibrate beads.csv --material von-mises --law hertz --nu 0.3
 answers 2 '--press is for --material' "$platen" calibrate beads.csv --law hertz --nu 0.3 --press
