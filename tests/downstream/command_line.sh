@@ -330,6 +330,9 @@ answers 2 'is no number with a unit' "$platen" predict --E '2 Gpa' --nu 0.3 --si
 } >raw.csv
 answers 0 'd = 1 mm, 60 rows' "$platen" import raw.csv -o imported.csv
 answers 0 'semicolons, decimal comma' "$platen" import raw.csv --json
+answers 0 'd = 1 mm' "$platen" import raw.csv --picture raw.svg
+grep -q 'nothing for the machine' raw.svg || { failures=$((failures + 1)); echo 'FAILED: raw.svg does not say the corrections'; }
+answers 2 'ends in .svg or .png' "$platen" import raw.csv --picture raw.pdf
 answers 2 'E_Pa is seen in unloading alone' "$platen" calibrate raw.csv --law shahin --nu 0.3
 answers 2 'give it with --nu' "$platen" calibrate raw.csv --law shahin
 answers 2 'leave one out' "$platen" import raw.csv --radius_m 2e-3

@@ -51,6 +51,16 @@ TEST(Material, OfTwentyPressedBeads) {
   for (const auto& p : c.particles) EXPECT_LT(p.contact_error_m, 0.01 * p.diameter_m);
 }
 
+/// Its loops come back by a thousandth of the way.
+TEST(Material, OfAStiffMetalWhoseLoopsAreShort) {
+  const calibrate::FreeMaterial sought("von-mises", {{"nu", "0.3"}}, {});
+  const auto truth = sought.with({{"sigma_y_Pa", "5e6"}, {"E_Pa", "5e9"}});
+  const auto c = calibrated(pressed(truth, 300, {0.1, 0.2}), 1, {20e-6, 0.01, 0, 0, 0.1}, sought);
+  ASSERT_EQ(c.particles.size(), 1U);
+  EXPECT_EQ(c.particles.front().stages.loops, 1);
+  EXPECT_NEAR(value(c, "E_Pa"), 5e9, 0.05 * 5e9);
+}
+
 /// Beyond E/sigma_y of several hundred, and without unloading, E does nothing: only a lower bound is left.
 TEST(Material, WithoutUnloadingAStiffParticleShowsItsYieldStressAlone) {
   const calibrate::FreeMaterial sought("von-mises", {{"nu", "0.3"}}, {});
