@@ -3,10 +3,12 @@
 #include "app/measured_arguments.hpp"
 #include "calibrate/ask.hpp"
 #include "calibrate/calibration.hpp"
+#include "calibrate/confined.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/number.hpp"
 #include "core/say.hpp"
+#include "plot/confined_prediction.hpp"
 #include "plot/gnuplot.hpp"
 #include "plot/measured_picture.hpp"
 #include "plot/profile_picture.hpp"
@@ -22,7 +24,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> curves, parameters;
-  std::string law, material, free, variant, card, law_card, picture, ask, tell;
+  std::string law, material, free, variant, card, law_card, picture, ask, tell, confined;
   MeasuredArguments measured;
   std::optional<double> E_Pa, nu;
   std::optional<Option> profiles_option;
@@ -125,10 +127,20 @@ std::string json_of(const calibrate::Calibration& c, const std::vector<std::stri
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
+void write_confined(const calibrate::Calibration& c, const std::string& file) {
+  const auto curves = calibrate::confined(c);
+  core::say_line(
+      fmt::format("note: the bands of {} are those of the parameters, not of how far law {} is off under "
+                  "confinement (docs/laws/{}.md)",
+                  file, c.card.law, c.card.law));
+  if (file.ends_with(".csv")) core::write_file(file, calibrate::confined_csv(curves));
+  else plot::confined_prediction(c, curves, file);
+}
+
 void run_calibrate(Options o) {
   settle_what(o);
   const auto settings = settings_of(o);
-  for (const auto& file : {o.picture, o.profiles})
+  for (const std::string& file : {o.picture, o.profiles, o.confined.ends_with(".csv") ? "" : o.confined})
     if (!file.empty()) (void)plot::format_of(file);
   const auto measurements = measurements_of(o.curves, o.measured);
   auto c = o.press ? calibrate::calibrate_material_by_presses(measurements, settings, core::say_line)
@@ -145,6 +157,7 @@ void run_calibrate(Options o) {
     throw;
   }
   if (!flags.empty()) c.card.provenance.emplace_back("doubts", fmt::format("{}", fmt::join(flags, "; ")));
+  if (!o.confined.empty()) write_confined(c, o.confined);
   if (!o.tell.empty())
     core::write_file(o.tell, o.tell.ends_with(".json") ? calibrate::told_json(c) : calibrate::told_csv(c));
   const auto& law_card = o.of_material() ? o.law_card : o.card;
@@ -194,6 +207,12 @@ void add_calibrate(Command program) {
   o->profiles_option->value_optional();
   command
       .add_option("--picture", o->picture, "draw what was measured, cut, corrected and fitted: .svg or .png")
+      .type_name("FILE");
+  command
+      .add_option(
+          "--confined", o->confined,
+          "laws agarwal and shahin: what the particle would do in a die and from all sides, with bands: "
+          ".svg, .png or .csv")
       .type_name("FILE");
   command
       .add_option("--ask", o->ask, "for a driver of its own: sets of parameters, a row each under their keys")

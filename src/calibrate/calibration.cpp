@@ -129,6 +129,7 @@ class Calibrator {
     collect();
     fit_each();
     fit_all();
+    say_misfit();
     say_alike();
     say_scatter();
     write_card();
@@ -358,6 +359,27 @@ class Calibrator {
                         "diameter right?",
                         task_.free[k].key, low, high));
     }
+  }
+
+  /// What is more than noise, the law or the material does not have.
+  void say_misfit() {
+    constexpr double noticed = 0.05, times = 3;
+    const Particle* worst = nullptr;
+    double worst_noise = 0;
+    for (const auto& p : c_.particles) {
+      double square = 0;
+      for (double F : p.samples.force_N) square += F * F;
+      const double noise =
+          p.samples.force_noise_N / std::sqrt(square / static_cast<double>(p.samples.force_N.size()));
+      if (p.relative_l2 > noticed + times * noise && (!worst || p.relative_l2 > worst->relative_l2))
+        worst = &p, worst_noise = noise;
+    }
+    if (worst)
+      c_.said.push_back(fmt::format(
+          "{} misses {} by {:.2g} % (relative L2), and its noise is {:.2g} %: it is "
+          "not such a {}",
+          settings_.material ? "the material" : "law " + settings_.law, worst->name, 100 * worst->relative_l2,
+          100 * worst_noise, settings_.material ? "material" : "particle"));
   }
 
   void say_alike() {

@@ -44,7 +44,7 @@ case_card() { # MATERIAL LINES...
 # --- help ---
 answers 0 'platen derive' "$platen"
 answers 0 'platen 0.' "$platen" --version
-for command in materials point press fit derive import calibrate convert predict reproduce; do answers 0 'Example:' "$platen" $command --help; done
+for command in materials point press fit derive import calibrate compaction convert predict reproduce; do answers 0 'Example:' "$platen" $command --help; done
 for command in design run status export submit merge check surrogate; do answers 0 'Example:' "$platen" study $command --help; done
 answers 0 '| `only` |' "$platen" study design --keys
 answers 2 'STUDY.toml is required' "$platen" study design
@@ -372,6 +372,9 @@ answers 0 ',loading,' "$platen" eval metal-law.toml -p radius_m=1e-3 --overlap 1
 has profiles.svg
 answers 0 '"value_deviance"' "$platen" calibrate beads.csv --model von-mises --nu 0.3 --profiles --json
 answers 2 'nu is missing' "$platen" calibrate beads.csv --material von-mises
+answers 0 'kappa_Pa' "$platen" calibrate raw.csv --law shahin --nu 0.3 --E '0.3 GPa' --confined confined.csv
+grep -q '^die,' confined.csv || { failures=$((failures + 1)); echo 'FAILED: no die in confined.csv'; }
+answers 2 'knows one loading only' "$platen" calibrate raw.csv --law hertz --nu 0.3 --confined confined.csv --force
 printf 'E_Pa,sigma_y_Pa,what\n2e9,25e6,1\n2e9,1e3,2\n' >asked.csv
 answers 0 'sigma_y_Pa' "$platen" calibrate beads.csv --material von-mises --nu 0.3 --ask asked.csv --tell told.csv
 grep -q '^1000,2e9,inf,-inf,inf$' told.csv && [ "$(wc -l <told.csv)" -eq 3 ] || { failures=$((failures + 1)); cat told.csv; }
@@ -382,6 +385,12 @@ answers 2 '--material CARD' "$platen" calibrate beads.csv --material vmdc
 answers 2 'give one of the two' "$platen" calibrate beads.csv --material von-mises --law hertz --nu 0.3
 answers 2 '--press is for --material' "$platen" calibrate beads.csv --law hertz --nu 0.3 --press
 answers 2 '--press calibrates through presses' "$platen" calibrate beads.csv --material lead-hollomon
+printf 'rho_r,axial_stress_MPa,radial_stress_MPa\n0.5,1,0.4\n0.6,2,0.8\n' >die.csv
+printf 'rho_r,compressive_strength_MPa,tensile_strength_MPa\n0.5,1,0.2\n0.7,3,0.5\n' >tablets.csv
+answers 2 'fewer than 8 rows load' "$platen" compaction die.csv --strengths tablets.csv --rho_r0 0.5
+answers 2 'there is no column compressive_strength' "$platen" compaction die.csv --strengths die.csv --rho_r0 0.5
+answers 2 '--rho_r0 must be in' "$platen" compaction die.csv --strengths tablets.csv --rho_r0 50
+answers 2 'is no relative density' "$platen" compaction <(printf 'rho_r,axial_stress_MPa,radial_stress_MPa\n50,1,1\n') --strengths tablets.csv --rho_r0 0.5
 answers 2 'it is travel' "$platen" fit imported.csv --law edmans-sinka --displacement-is delta
 answers 0 'relative L2' "$platen" fit raw.csv --law edmans-sinka
 awk 'BEGIN { print "delta_m,force_N"; for (i = 0; i <= 50; ++i) print i * 1e-5 "," i * 1e-1 }' >unit.csv
