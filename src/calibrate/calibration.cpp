@@ -2,7 +2,6 @@
 
 #include "core/error.hpp"
 #include "core/number.hpp"
-#include "core/version.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -132,7 +131,7 @@ class Calibrator {
     say_misfit();
     say_alike();
     say_scatter();
-    write_card();
+    c_.card = card_of(c_, task_.card, measurements_, settings_.machine);
     return std::move(c_);
   }
 
@@ -396,67 +395,6 @@ class Calibrator {
                                           ? words_of(*c_.profiles[i])
                                           : fmt::format("{:.3g} +- {:.2g}", c_.values[i], c_.errors[i])));
     }
-  }
-
-  void write_card() {
-    auto& card = c_.card = task_.card;
-    const auto rounded = [](double v) {
-      return core::number_text(*core::number_from(fmt::format("{:.6g}", v)));
-    };
-    for (std::size_t k = 0; k < task_.free.size(); ++k)
-      card.parameters[task_.free[k].key] = rounded(c_.values[k]);
-    card.delta_bar = {0.0, c_.delta_bar_max};
-    const auto number = [](double v) { return *core::number_from(fmt::format("{:.4g}", v)); };
-    card.errors.emplace_back("relative_l2", number(c_.relative_l2));
-    card.errors.emplace_back("R2", *core::number_from(fmt::format("{:.6g}", c_.R2)));
-    const auto bare = [&](std::size_t k) { // "hardening.kappa_Pa" would be a key in a section
-      const auto& key = task_.free[k].key;
-      return key.substr(key.find('.') + 1);
-    };
-    for (std::size_t k = 0; k < task_.free.size(); ++k)
-      if (std::isfinite(c_.errors[k]))
-        card.errors.emplace_back("standard_error_" + bare(k), number(c_.errors[k]));
-    for (std::size_t k = 0; k < task_.free.size(); ++k)
-      if (const auto& p = c_.profiles[k]; p && !p->open_low && !p->open_high)
-        card.errors.emplace_back("profile_95_" + bare(k),
-                                 std::vector<double>{number(p->low), number(p->high)});
-    for (std::size_t i = 0; i < task_.free.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        card.errors.emplace_back(fmt::format("correlation_{}_{}", bare(j), bare(i)),
-                                 number(c_.correlations[i][j]));
-    auto& from = card.provenance;
-    int n = 0;
-    for (const auto& m : measurements_) {
-      const std::string tail = measurements_.size() > 1 ? fmt::format("_{}", ++n) : "";
-      from.emplace_back("source" + tail, m.file);
-      from.emplace_back("source_sha256" + tail, m.sha256);
-      std::string found = m.read_as;
-      for (const auto& sentence : m.said) found += "; " + sentence;
-      from.emplace_back("found" + tail, found);
-    }
-    from.emplace_back("particles", static_cast<int>(c_.particles.size()));
-    from.emplace_back("rows", static_cast<int>(c_.rows));
-    if (!c_.broken.empty()) from.emplace_back("broken", fmt::format("{}", fmt::join(c_.broken, "; ")));
-    std::vector<std::string> contacts, baselines;
-    for (const auto& p : c_.particles) {
-      const std::string name = c_.particles.size() > 1 ? p.name + ": " : "";
-      contacts.push_back(name + p.contact);
-      if (p.baseline_fitted) baselines.push_back(name + zero_words(p));
-    }
-    from.emplace_back("contact_fitted", fmt::format("{}", fmt::join(contacts, ", ")));
-    from.emplace_back("baseline_fitted", baselines.empty() ? std::string("none: no row out of contact")
-                                                           : fmt::format("{}", fmt::join(baselines, ", ")));
-    from.emplace_back("machine", machine_words());
-    if (!c_.said.empty()) from.emplace_back("remarks", fmt::format("{}", fmt::join(c_.said, "; ")));
-    from.emplace_back("engine", core::engine);
-  }
-
-  std::string machine_words() const {
-    if (settings_.machine.given()) return settings_.machine.said;
-    for (const auto& m : measurements_)
-      for (const auto& sentence : m.said)
-        if (sentence.starts_with("machine taken off")) return sentence;
-    return "no compliance of the machine taken off: where it gives way the particle seems softer";
   }
 
   const std::vector<Measurement>& measurements_;

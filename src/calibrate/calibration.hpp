@@ -92,6 +92,11 @@ Calibration calibrate_material_by_presses(const std::vector<measure::Measurement
 /// Its card, with what is known of each number under [source].
 std::string material_card(const Calibration&, const std::vector<std::string>& doubts);
 
+/// The law card of a calibration: values, their errors, and where they are from. `card`: law, variant and the
+/// parameters that were given.
+fit::LawCard card_of(const Calibration&, fit::LawCard card, const std::vector<measure::Measurement>&,
+                     const measure::Machine&);
+
 /// A few lines for people.
 std::string words_of(const Calibration&);
 /// "0.02 N, drifting by 0.001 N"
