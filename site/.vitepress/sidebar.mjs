@@ -15,6 +15,7 @@ export const sections = () => [
   { text: 'Tutorials', items: [
     ['From a granule to LAMMPS', 'tutorials/granule-to-lammps'],
     ['From a measured curve to a law', 'tutorials/measured-curve'],
+    ['From a measured particle to its material', 'tutorials/measured-material'],
     ['A metal', 'tutorials/metal'],
     ['A rock', 'tutorials/rock'],
     ['A study on a cluster', 'tutorials/study-on-a-cluster'],

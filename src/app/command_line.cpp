@@ -3,7 +3,9 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/nearest.hpp"
+#include "core/number.hpp"
 #include "core/say.hpp"
+#include "core/unit.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -11,7 +13,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <optional>
+#include <type_traits>
 
 namespace platen::app {
 
@@ -31,8 +35,55 @@ Command Command::add_subcommand(const std::string& name, const std::string& what
   return Command(*command);
 }
 void Command::require_subcommand() { app_->require_subcommand(1); }
+namespace {
+
+/// "0.5 mm,0.6 mm" in the unit of the key, as numbers with commas.
+std::string numbers_in_si(const std::string& option, const std::string& text, const std::string& key) {
+  std::string result;
+  for (std::size_t from = 0; from <= text.size();) {
+    const auto comma = std::min(text.find(',', from), text.size());
+    const auto part = text.substr(from, comma - from);
+    if (core::number_from(part))
+      throw core::InvalidInput(fmt::format("{} {} has no unit; write it, or --{} {}, which is in SI units",
+                                           option, text, key, text));
+    result += (from ? "," : "") + core::number_text(core::value_in_si(option, part, key));
+    from = comma + 1;
+  }
+  return result;
+}
+
+void assign(std::string& value, const std::string& numbers) { value = numbers; }
+void assign(double& value, const std::string& numbers) { value = core::number_from(numbers).value_or(NAN); }
+void assign(std::optional<double>& value, const std::string& numbers) { value = core::number_from(numbers); }
+template <class T>
+constexpr bool measures =
+    std::is_same_v<T, std::string> || std::is_same_v<T, double> || std::is_same_v<T, std::optional<double>>;
+
+constexpr const char* unlisted = ""; // a group that help leaves out
+
+/// --radius "0.5 mm" beside --radius_m 0.5e-3.
+template <class T> void add_with_unit(CLI::App& app, CLI::Option& option, T& value) {
+  for (const std::string& key : option.get_lnames()) {
+    const std::vector<std::string> known{key};
+    for (auto end = key.find('_'); end != key.npos; end = key.find('_', end + 1)) {
+      const std::string bare = key.substr(0, end), name = "--" + bare;
+      if (core::si_key(bare, known).empty() || app.get_option_no_throw(name)) continue;
+      const auto take = [&value, &option, name, key](const std::string& text) {
+        if (option.count() > 0)
+          throw core::InvalidInput(fmt::format("{} and --{} are the same; give one of the two", name, key));
+        assign(value, numbers_in_si(name, text, key));
+      };
+      app.add_option_function<std::string>(name, take)->group(unlisted);
+    }
+  }
+}
+
+} // namespace
+
 template <class T> Option Command::add_option(const std::string& names, T& value, const std::string& what) {
-  return Option(*app_->add_option(names, value, what));
+  auto* option = app_->add_option(names, value, what);
+  if constexpr (measures<T>) add_with_unit(*app_, *option, value);
+  return Option(*option);
 }
 template Option Command::add_option(const std::string&, std::string&, const std::string&);
 template Option Command::add_option(const std::string&, int&, const std::string&);
@@ -57,6 +108,7 @@ namespace {
 Page page_of(const CLI::App& app, const std::string& above) {
   Page page{above + app.get_name(), app.get_description(), app.get_footer(), {}, {}};
   for (const auto* option : app.get_options()) {
+    if (option->get_group() == unlisted) continue;
     Page::Entry entry;
     entry.positional = option->get_positional();
     if (entry.positional) entry.names.push_back(option->get_name());

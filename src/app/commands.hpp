@@ -19,6 +19,7 @@ void add_study(Command);
 void add_import(Command);
 void add_calibrate(Command);
 void add_convert(Command);
+void add_compaction(Command);
 void add_predict(Command);
 void add_reproduce(Command);
 void add_manual(Command, const Program&);

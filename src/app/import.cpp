@@ -2,6 +2,8 @@
 #include "app/measured_arguments.hpp"
 #include "core/file.hpp"
 #include "measure/curve_text.hpp"
+#include "plot/gnuplot.hpp"
+#include "plot/import_picture.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -12,7 +14,7 @@ namespace platen::app {
 namespace {
 
 struct Options {
-  std::string raw, output;
+  std::string raw, output, picture;
   MeasuredArguments measured;
   bool json = false;
 };
@@ -66,11 +68,13 @@ std::string json_of(const measure::Measurement& m, const std::vector<measure::St
 }
 
 void import(const Options& o) {
+  if (!o.picture.empty()) (void)plot::format_of(o.picture);
   const auto m = measurements_of({o.raw}, o.measured).front();
   const auto machine = machine_of(o.measured);
   std::vector<measure::Stages> stages;
   for (const auto& s : m.specimens) stages.push_back(measure::stages_of(s));
   if (!o.output.empty()) core::write_file(o.output, measure::curve_text(m, stages, machine));
+  if (!o.picture.empty()) plot::import_picture(m, stages, machine, o.picture);
   fmt::print(report_stream(o.output), "{}",
              o.json ? json_of(m, stages, machine) : words_of(m, stages, machine));
 }
@@ -84,6 +88,10 @@ void add_import(Command program) {
       .required();
   command.add_option("-o", o->output, "write particle, diameter_m, time_s, travel_m, force_N, branch here")
       .type_name("CURVE.csv");
+  command
+      .add_option("--picture", o->picture,
+                  "draw what was measured, what was found in it, and what is left corrected: .svg or .png")
+      .type_name("FILE");
   add_measured_arguments(command, o->measured, false);
   command.add_flag("--json", o->json, "for a machine to read");
   command.footer("Displacement is the way between the platens, 2 delta, unless --displacement-is contact.\n"

@@ -2,14 +2,50 @@
 
 #include "core/error.hpp"
 #include "core/number.hpp"
+#include "core/unit.hpp"
+#include "material/card.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace platen::app {
 
 using core::InvalidInput;
+
+namespace {
+
+/// Keys of all laws and materials, by which a bare name is known.
+const std::vector<std::string>& parameter_keys() {
+  static const auto keys = [] {
+    std::vector<std::string> list;
+    for (const auto& info : law::laws())
+      for (const auto& p : info.parameters)
+        list.emplace_back(p.key), list.emplace_back(law::second_key(p.key));
+    material::for_each_model([&]<class M>() {
+      for (const auto& field : M::card().fields) list.push_back(field.key);
+    });
+    return list;
+  }();
+  return keys;
+}
+
+} // namespace
+
+std::pair<std::string, std::string> parameter_from(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos || equals == 0)
+    throw InvalidInput(fmt::format("-p {} is not of the form key=value", text));
+  std::string key = text.substr(0, equals), value = text.substr(equals + 1);
+  if (std::ranges::count(parameter_keys(), key)) return {key, value};
+  const auto known = core::si_key(key, parameter_keys());
+  if (known.empty()) return {key, value};
+  if (core::number_from(value))
+    throw InvalidInput(fmt::format(
+        "-p {} has no unit; write -p {}={}, which is in SI units, or a unit behind it", text, known, value));
+  return {known, core::number_text(core::value_in_si("-p " + key, value, known))};
+}
 
 void add_law_arguments(Command command, LawArguments& arguments) {
   command.add_option("LAW", arguments.law, "law card, its name in the catalogue, or the name of a law")
@@ -27,13 +63,9 @@ fit::LawCard card_of(const LawArguments& arguments) {
 
 law::ParameterTexts parameters_of(const LawArguments& arguments) {
   law::ParameterTexts texts;
-  for (const auto& p : arguments.parameters) {
-    const auto equals = p.find('=');
-    if (equals == std::string::npos || equals == 0)
-      throw InvalidInput(fmt::format("-p {} is not of the form key=value", p));
-    if (!texts.emplace(p.substr(0, equals), p.substr(equals + 1)).second)
-      throw InvalidInput(fmt::format("-p {} is given twice", p.substr(0, equals)));
-  }
+  for (const auto& p : arguments.parameters)
+    if (const auto [at, is_new] = texts.insert(parameter_from(p)); !is_new)
+      throw InvalidInput(fmt::format("-p {} is given twice", at->first));
   if (arguments.against != "sphere" && arguments.against != "plane")
     throw InvalidInput(fmt::format("--against {} is neither sphere nor plane", arguments.against));
   if (arguments.against == "plane") texts["against"] = "plane";
@@ -44,6 +76,8 @@ std::vector<double> overlaps_of(const std::string& range) {
   const auto parts = law::detail::split(range, ':');
   const auto number = [&](std::size_t i) {
     const auto value = core::number_from(parts[i]);
+    if (!value && core::quantity_from(parts[i]))
+      return core::value_in_si(fmt::format("--overlap {}: one end", range), parts[i], "overlap_m");
     if (!value) throw InvalidInput(fmt::format("--overlap {}: '{}' is not a number", range, parts[i]));
     return *value;
   };

@@ -6,6 +6,7 @@
 #include "fit/law_card.hpp"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace platen::app {
@@ -24,7 +25,10 @@ fit::LawCard card_of(const LawArguments&);
 /// The card's parameters with those of the command line over them.
 law::ParameterTexts parameters_of(const LawArguments&);
 
-/// "A:B:N": N overlaps from A to B, both included.
+/// "key=value", also "E=2 GPa" for E_Pa. InvalidInput.
+std::pair<std::string, std::string> parameter_from(const std::string& text);
+
+/// "A:B:N": N overlaps from A to B, both included; in m, or with a unit: 0:100um:11.
 std::vector<double> overlaps_of(const std::string& range);
 
 } // namespace platen::app

@@ -51,6 +51,7 @@ int run(int argc, char** argv) {
   app::add_study(command);
   app::add_import(command);
   app::add_calibrate(command);
+  app::add_compaction(command);
   app::add_convert(command);
   app::add_predict(command);
   app::add_reproduce(command);

@@ -1,5 +1,8 @@
 #include "app/commands.hpp"
 #include "app/press_into.hpp"
+#include "core/error.hpp"
+#include "core/file.hpp"
+#include "measure/as_measured.hpp"
 #include "press/case_card.hpp"
 #include "press/confined.hpp"
 #include "press/regimes.hpp"
@@ -15,7 +18,17 @@ namespace {
 struct Options {
   std::string card, folder = "out", model;
   bool json = false, keys = false, estimate_error = false;
+  std::string as_measured;
+  measure::Instrument instrument{.gap_m = 20e-6, .noise = 0.01};
+  int particles = 1, seed = 1;
 };
+
+/// The curve as an instrument would have written it.
+void write_measured(const Options& o, const press::Case& c, const press::Curve& curve) {
+  const auto batch =
+      measure::batch(curve, o.particles, 2 * c.radius_m, o.instrument, static_cast<std::uint64_t>(o.seed));
+  core::write_file(o.as_measured, measure::raw_text(batch));
+}
 
 void press(const Options& options) {
   if (options.keys) {
@@ -23,10 +36,14 @@ void press(const Options& options) {
     return;
   }
   auto c = press::read_case(options.card);
+  if (!options.as_measured.empty() && !std::holds_alternative<press::Simple>(c.experiment))
+    throw core::InvalidInput(fmt::format("--as-measured is for experiment = \"simple\", not \"{}\"",
+                                         press::name_of(c.experiment)));
   if (!options.model.empty()) c.material.model = material::run_as(c.material.model, options.model);
   const OutputFolder folder(options.folder);
   const auto [result, summary] = press_into(c, folder, Fields::pictures_and_vtu, options.estimate_error);
   print_flags(result);
+  if (!options.as_measured.empty()) write_measured(options, c, result.curve);
   if (options.json) {
     fmt::print("{}", summary);
     return;
@@ -59,9 +76,34 @@ void add_press(Command program) {
       .type_name("NAME");
   command.add_flag("--estimate-error", options->estimate_error,
                    "press on half as many elements too, and say how far force and radius are from the limit");
+  auto measured =
+      command
+          .add_option("--as-measured", options->as_measured,
+                      "write here too what an instrument would have, with loops where branches unload")
+          .type_name("RAW.csv");
+  command.add_option("--particles", options->particles, "how many, each with a size and a gap of its own")
+      .type_name("NUMBER")
+      .range(1, 1000)
+      .capture_default_str();
+  command.add_option("--noise", options->instrument.noise, "of the force, over the largest")
+      .type_name("SHARE")
+      .range(0.0, 0.5)
+      .capture_default_str();
+  command.add_option("--gap_m", options->instrument.gap_m, "way of the platens before contact")
+      .type_name("NUMBER")
+      .capture_default_str();
+  command
+      .add_option("--compliance_m_per_N", options->instrument.compliance_m_per_N,
+                  "how much the machine gives way")
+      .type_name("NUMBER")
+      .capture_default_str();
+  command.add_option("--seed", options->seed, "of the noise: the same seed, the same file")
+      .type_name("NUMBER")
+      .capture_default_str();
   command.add_flag("--json", options->json, "print the summary for a machine to read");
   auto keys = command.add_flag("--keys", options->keys, "every key of a case card, as Markdown");
   keys.excludes(card);
+  measured.excludes(keys);
   command.footer("Example: platen press case.toml -o out/press\n"
                  "with case.toml:\n\n"
                  "  platen = 1\n  experiment = \"simple\"\n  material = \"mcc-ph-200\"\n  radius_m = 1e-3\n"

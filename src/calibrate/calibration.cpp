@@ -2,7 +2,6 @@
 
 #include "core/error.hpp"
 #include "core/number.hpp"
-#include "core/version.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,7 +19,15 @@ using core::InvalidInput;
 using measure::Measurement, measure::Specimen;
 
 // Two parameters cannot be told apart where they are so correlated and one of them is so uncertain.
-constexpr double alike = 0.95, uncertain = 0.1;
+constexpr double alike = 0.9, uncertain = 0.1;
+constexpr double weak = 0.05; // relative standard error from which on the profile likelihood is asked
+
+/// What is looked for in a material, as that of a law.
+FreeLaw free_law_of(const Settings& settings) {
+  if (!settings.material) return free_law(settings.law);
+  const auto& m = *settings.material;
+  return {"pressed", m.free(), m.strength(), true};
+}
 
 const law::Parameter* parameter(const law::LawInfo& info, std::string_view key) {
   for (const auto& p : info.parameters)
@@ -79,25 +86,52 @@ Quality quality(const Particle& p) {
 class Calibrator {
  public:
   Calibrator(const std::vector<Measurement>& measurements, const Settings& settings)
-      : measurements_(measurements), settings_(settings), law_(free_law(settings.law)) {
-    refuse_missing(law_, settings);
-    task_.card.law = settings.law;
+      : measurements_(measurements), settings_(settings), law_(free_law_of(settings)) {
+    task_.card.law = law_.law;
     task_.card.variant = settings.variant;
     task_.card.parameters = settings.given;
+    if (settings.material) make_of_material();
+    else make_of_law();
     task_.scales = law_.scales;
     task_.strength = law_.strength;
     task_.ratio_most = law_.ratio_most;
-    for (const auto& p : law_.parameters)
-      if (!settings.given.contains(p.key)) task_.free.push_back(p);
+    task_.free = free_parameters(settings);
+    if (task_.free.empty()) throw InvalidInput("all parameters are given: nothing is left to be looked for");
+  }
+
+  void make_of_law() {
+    refuse_missing(law_, settings_);
+    task_.make = [this](law::ParameterTexts texts, double radius_m) -> AnyLaw {
+      texts["radius_m"] = core::number_text(radius_m), texts["against"] = "plane";
+      return fit::make_law(task_.card, texts);
+    };
+  }
+
+  void make_of_material() {
+    const auto typical = settings_.material->typical();
+    task_.card.parameters["nu"] = core::number_text(material::initial_nu(typical.model));
+    task_.make = [this](const law::ParameterTexts& texts, double radius_m) -> AnyLaw {
+      try {
+        return law::prepare_on_rigid_plane(settings_.curves.of(settings_.material->with(texts)), radius_m);
+      } catch (const law::BadParameter& error) { throw InvalidInput(error.what()); }
+    };
+    if (!settings_.curves.astray) return;
+    task_.astray = [this](const law::ParameterTexts& texts, double radius_m) {
+      std::vector<AnyLaw> laws;
+      for (const auto& m : settings_.curves.astray(settings_.material->with(texts)))
+        laws.emplace_back(law::prepare_on_rigid_plane(m, radius_m));
+      return laws;
+    };
   }
 
   Calibration run() {
     collect();
     fit_each();
     fit_all();
+    say_misfit();
     say_alike();
     say_scatter();
-    write_card();
+    c_.card = card_of(c_, task_.card, measurements_, settings_.machine);
     return std::move(c_);
   }
 
@@ -171,12 +205,11 @@ class Calibrator {
   /// One particle that cannot be fitted alone, as one of a batch that did not unload, does not stop the
   /// others.
   void fit_each() {
-    std::vector<double> start; // where the first ended
+    std::vector<double> start = settings_.start; // where the first ended
     for (auto& p : c_.particles) {
       Task task = task_;
       std::erase_if(task.free, [&](const auto& f) { return f.of_unloading && !p.samples.unloads; });
       if (task.free.size() != task_.free.size()) continue;
-      task.curve_stress_Pa = task_.curve_stress_Pa;
       const Solution found = search(task, {p.samples}, start);
       if (start.empty()) start = found.values;
       p.values = found.values, p.errors = found.errors;
@@ -199,11 +232,36 @@ class Calibrator {
     return medians;
   }
 
+  void take(const Solution& all) {
+    c_.values = all.values, c_.errors = all.errors, c_.noise_errors = all.noise_errors;
+    c_.correlations = all.correlations;
+  }
+
+  /// What a profile found to be better than the solution, if any did.
+  std::optional<State> take_profiles(const Solution& all) {
+    c_.profiles.clear();
+    std::optional<State> better;
+    for (std::size_t k = 0; k < task_.free.size(); ++k) {
+      c_.profiles.emplace_back();
+      if (!settings_.all_profiles && !weakly_determined(k)) continue;
+      c_.profiles.back() = profile(task_, all, k, settings_.all_profiles);
+      const auto& found = c_.profiles.back()->better;
+      if (found && (!better || found->cost < better->cost)) better = found;
+    }
+    return better;
+  }
+
   void fit_all() {
     std::vector<Samples> samples;
     for (const auto& p : c_.particles) samples.push_back(p.samples);
-    const Solution all = search(task_, samples, middle());
-    c_.values = all.values, c_.errors = all.errors, c_.correlations = all.correlations;
+    Solution all = search(task_, samples, settings_.start.empty() ? middle() : settings_.start);
+    constexpr int most = 3;
+    for (int again = 0; again < most; ++again) {
+      take(all);
+      const auto better = take_profiles(all);
+      if (!better) break;
+      all = search_on(task_, all, *better);
+    }
     double sum = 0, weight = 0;
     for (std::size_t i = 0; i < c_.particles.size(); ++i) {
       auto& p = c_.particles[i];
@@ -226,6 +284,22 @@ class Calibrator {
     }
     c_.R2 = sum / weight;
     doubt(all);
+    for (const auto& values : settings_.asked) tell(all, values);
+  }
+
+  void tell(const Solution& best, const std::vector<double>& values) {
+    const Trial t = trial(task_, best, values);
+    Told told{values, t.deviance, 0, 0, {}};
+    if (t.own.empty()) told.relative_l2 = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < t.own.size(); ++i) {
+      Particle p = c_.particles[i];
+      p.baseline_N = t.own[i].baseline_N, p.drift_N = t.own[i].drift_N, p.force_N = t.own[i].force_N;
+      const Quality q = quality(p);
+      told.R2 += q.R2 / static_cast<double>(t.own.size());
+      told.relative_l2 = std::max(told.relative_l2, q.relative_l2);
+      told.force_N.push_back(p.force_N);
+    }
+    c_.told.push_back(std::move(told));
   }
 
   std::optional<double> known(std::string_view key) const {
@@ -261,6 +335,13 @@ class Calibrator {
     }
   }
 
+  bool weakly_determined(std::size_t k) const {
+    if (!(c_.errors[k] < weak * std::abs(c_.values[k]))) return true;
+    for (std::size_t j = 0; j < task_.free.size(); ++j)
+      if (j != k && std::abs(c_.correlations[k][j]) > alike && (vague(k) || vague(j))) return true;
+    return false;
+  }
+
   bool vague(std::size_t k) const { return !(c_.errors[k] < uncertain * std::abs(c_.values[k])); }
 
   /// Standard errors know noise alone; particles of one batch may differ by more.
@@ -279,6 +360,27 @@ class Calibrator {
     }
   }
 
+  /// What is more than noise, the law or the material does not have.
+  void say_misfit() {
+    constexpr double noticed = 0.05, times = 3;
+    const Particle* worst = nullptr;
+    double worst_noise = 0;
+    for (const auto& p : c_.particles) {
+      double square = 0;
+      for (double F : p.samples.force_N) square += F * F;
+      const double noise =
+          p.samples.force_noise_N / std::sqrt(square / static_cast<double>(p.samples.force_N.size()));
+      if (p.relative_l2 > noticed + times * noise && (!worst || p.relative_l2 > worst->relative_l2))
+        worst = &p, worst_noise = noise;
+    }
+    if (worst)
+      c_.said.push_back(fmt::format(
+          "{} misses {} by {:.2g} % (relative L2), and its noise is {:.2g} %: it is "
+          "not such a {}",
+          settings_.material ? "the material" : "law " + settings_.law, worst->name, 100 * worst->relative_l2,
+          100 * worst_noise, settings_.material ? "material" : "particle"));
+  }
+
   void say_alike() {
     for (std::size_t i = 0; i < task_.free.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j)
@@ -288,73 +390,28 @@ class Calibrator {
                           "them, or measure what parts them, as an unloading",
                           task_.free[j].key, task_.free[i].key, c_.correlations[i][j]));
       if (!(c_.errors[i] < 0.3 * std::abs(c_.values[i])) && task_.free[i].logarithmic)
-        c_.said.push_back(fmt::format("these curves hardly determine {}: {:.3g} +- {:.2g}", task_.free[i].key,
-                                      c_.values[i], c_.errors[i]));
+        c_.said.push_back(fmt::format("these curves hardly determine {}: {}", task_.free[i].key,
+                                      c_.profiles[i]
+                                          ? words_of(*c_.profiles[i])
+                                          : fmt::format("{:.3g} +- {:.2g}", c_.values[i], c_.errors[i])));
     }
-  }
-
-  void write_card() {
-    auto& card = c_.card = task_.card;
-    const auto rounded = [](double v) {
-      return core::number_text(*core::number_from(fmt::format("{:.6g}", v)));
-    };
-    for (std::size_t k = 0; k < task_.free.size(); ++k)
-      card.parameters[task_.free[k].key] = rounded(c_.values[k]);
-    card.delta_bar = {0.0, c_.delta_bar_max};
-    const auto number = [](double v) { return *core::number_from(fmt::format("{:.4g}", v)); };
-    card.errors.emplace_back("relative_l2", number(c_.relative_l2));
-    card.errors.emplace_back("R2", *core::number_from(fmt::format("{:.6g}", c_.R2)));
-    for (std::size_t k = 0; k < task_.free.size(); ++k)
-      if (std::isfinite(c_.errors[k]))
-        card.errors.emplace_back("standard_error_" + task_.free[k].key, number(c_.errors[k]));
-    for (std::size_t i = 0; i < task_.free.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j)
-        card.errors.emplace_back(fmt::format("correlation_{}_{}", task_.free[j].key, task_.free[i].key),
-                                 number(c_.correlations[i][j]));
-    auto& from = card.provenance;
-    int n = 0;
-    for (const auto& m : measurements_) {
-      const std::string tail = measurements_.size() > 1 ? fmt::format("_{}", ++n) : "";
-      from.emplace_back("source" + tail, m.file);
-      from.emplace_back("source_sha256" + tail, m.sha256);
-      std::string found = m.read_as;
-      for (const auto& sentence : m.said) found += "; " + sentence;
-      from.emplace_back("found" + tail, found);
-    }
-    from.emplace_back("particles", static_cast<int>(c_.particles.size()));
-    from.emplace_back("rows", static_cast<int>(c_.rows));
-    if (!c_.broken.empty()) from.emplace_back("broken", fmt::format("{}", fmt::join(c_.broken, "; ")));
-    std::vector<std::string> contacts, baselines;
-    for (const auto& p : c_.particles) {
-      const std::string name = c_.particles.size() > 1 ? p.name + ": " : "";
-      contacts.push_back(name + p.contact);
-      if (p.baseline_fitted) baselines.push_back(name + zero_words(p));
-    }
-    from.emplace_back("contact_fitted", fmt::format("{}", fmt::join(contacts, ", ")));
-    from.emplace_back("baseline_fitted", baselines.empty() ? std::string("none: no row out of contact")
-                                                           : fmt::format("{}", fmt::join(baselines, ", ")));
-    from.emplace_back("machine", machine_words());
-    if (!c_.said.empty()) from.emplace_back("remarks", fmt::format("{}", fmt::join(c_.said, "; ")));
-    from.emplace_back("engine", core::engine);
-  }
-
-  std::string machine_words() const {
-    if (settings_.machine.given()) return settings_.machine.said;
-    for (const auto& m : measurements_)
-      for (const auto& sentence : m.said)
-        if (sentence.starts_with("machine taken off")) return sentence;
-    return "no compliance of the machine taken off: where it gives way the particle seems softer";
   }
 
   const std::vector<Measurement>& measurements_;
   const Settings& settings_;
-  const FreeLaw& law_;
+  const FreeLaw law_;
   Task task_;
   std::vector<const Specimen*> specimens_;
   Calibration c_;
 };
 
 } // namespace
+
+std::vector<FreeParameter> free_parameters(const Settings& settings) {
+  auto free = free_law_of(settings).parameters;
+  std::erase_if(free, [&](const auto& p) { return settings.given.contains(p.key); });
+  return free;
+}
 
 Calibration calibrate(const std::vector<Measurement>& measurements, const Settings& settings) {
   return Calibrator(measurements, settings).run();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace platen::calibrate {
@@ -9,6 +10,14 @@ namespace {
 
 std::string text_value(double value, double error) {
   return std::isfinite(error) ? fmt::format("{:.5g} +- {:.2g}", value, error) : fmt::format("{:.5g}", value);
+}
+
+/// How much of the error is noise, where the law itself is known only so well.
+std::string noise_words(const Calibration& c, std::size_t k) {
+  const double noise = c.noise_errors[k], all = c.errors[k];
+  if (!c.material || !std::isfinite(all)) return "";
+  return fmt::format(" (noise {:.2g}, curve of the material {:.2g})", noise,
+                     std::sqrt(std::max(0.0, all * all - noise * noise)));
 }
 
 } // namespace
@@ -20,11 +29,17 @@ std::string zero_words(const Particle& p) {
 
 std::string words_of(const Calibration& c) {
   std::string text =
-      fmt::format("law {}, fitted to {} {} of {}, {} rows, up to delta/R = {:.3g}\n", c.card.law,
+      fmt::format("{}, fitted to {} {} of {}, {} rows, up to delta/R = {:.3g}\n",
+                  c.material ? fmt::format("material {}", material::model_name(c.material->model))
+                             : fmt::format("law {}", c.card.law),
                   c.particles.size(), c.particles.size() == 1 ? "particle" : "particles",
                   c.particles.size() + c.broken.size(), c.rows, c.delta_bar_max);
+  std::size_t widest = 12;
+  for (const auto& free : c.free) widest = std::max(widest, free.key.size());
   for (std::size_t k = 0; k < c.free.size(); ++k)
-    text += fmt::format("  {:<12} {}\n", c.free[k].key, text_value(c.values[k], c.errors[k]));
+    text += fmt::format(
+        "  {:<{}} {}{}{}\n", c.free[k].key, widest, text_value(c.values[k], c.errors[k]), noise_words(c, k),
+        c.profiles[k] ? fmt::format("; 95 % of the profile likelihood: {}", words_of(*c.profiles[k])) : "");
   for (std::size_t i = 0; i < c.free.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       text += fmt::format("  correlation of {} and {}: {:.3f}\n", c.free[j].key, c.free[i].key,

@@ -18,9 +18,9 @@ double Coordinates::slope(std::size_t k, double theta) const {
   return task.free[k].logarithmic ? outside(k, theta) : 1;
 }
 
-law::ParameterTexts Workshop::texts_of(const double* theta, double radius_m) const {
+law::ParameterTexts Workshop::texts_of(const double* theta) const {
   const Coordinates c{task_};
-  law::ParameterTexts texts{{"radius_m", core::number_text(radius_m)}, {"against", "plane"}};
+  law::ParameterTexts texts;
   for (std::size_t k = 0; k < task_.free.size(); ++k) { // differences at a bound must not step over it
     const double value =
         std::clamp(c.outside(k, theta[k]) / c.unit(k), task_.free[k].low, task_.free[k].high);
@@ -40,16 +40,16 @@ double Workshop::ratio(const law::ParameterTexts& texts) const {
   return strength > 0 ? value("E_Pa") / strength : 0;
 }
 
-std::shared_ptr<const Law> Workshop::law(const double* theta, double radius_m) {
+std::shared_ptr<const AnyLaw> Workshop::law(const double* theta, double radius_m) {
   std::vector<double> key(theta, theta + task_.free.size());
   key.push_back(radius_m);
   for (const auto& [known, made] : made_)
     if (known == key) return made;
-  std::shared_ptr<const Law> made;
-  const auto texts = texts_of(theta, radius_m);
+  std::shared_ptr<const AnyLaw> made;
+  const auto texts = texts_of(theta);
   try {
     if (!(ratio(texts) > task_.ratio_most))
-      made = std::make_shared<const Law>(fit::make_law(task_.card, texts));
+      made = std::make_shared<const AnyLaw>(task_.make(texts, radius_m));
   } catch (const core::InvalidInput&) {} // no such material: said by the null
   constexpr std::size_t kept = 64;
   if (made_.size() < kept) made_.emplace_back(std::move(key), made);
@@ -57,11 +57,15 @@ std::shared_ptr<const Law> Workshop::law(const double* theta, double radius_m) {
   return made;
 }
 
+std::vector<AnyLaw> Workshop::astray(const double* theta) const {
+  return task_.astray ? task_.astray(texts_of(theta), 1) : std::vector<AnyLaw>();
+}
+
 bool Workshop::predicted(const Samples& s, const double* theta, double contact_m, std::vector<double>& force,
                          std::vector<double>* stiffness) {
   const auto made = law(theta, made_for(s));
   if (!made) return false;
-  predict(*made, made_for(s), s, contact_m, force, stiffness);
+  std::visit([&](const auto& one) { predict(one, made_for(s), s, contact_m, force, stiffness); }, *made);
   return std::ranges::all_of(force, [](double F) { return std::isfinite(F); });
 }
 

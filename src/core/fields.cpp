@@ -32,7 +32,16 @@ double number_in(const Table& table, const std::string& key, const Value& whole,
   double x = 0;
   if (const auto* d = std::get_if<double>(&item.data)) x = *d;
   else if (const auto* i = std::get_if<std::int64_t>(&item.data)) x = static_cast<double>(*i);
-  else refuse(table, key, whole, fmt::format("is {}; it must be {}", kind_of(item), wanted(field)));
+  else {
+    const auto* text = std::get_if<std::string>(&item.data);
+    const std::vector<std::string> own{key};
+    for (auto end = key.find('_'); text && quantity_from(*text) && end != key.npos;
+         end = key.find('_', end + 1))
+      if (const auto bare = key.substr(0, end); !si_key(bare, own).empty())
+        refuse(table, key, whole,
+               fmt::format("has a unit, and the key has one too; write {} = {}", bare, in_quotes(*text)));
+    refuse(table, key, whole, fmt::format("is {}; it must be {}", kind_of(item), wanted(field)));
+  }
   if (!std::isfinite(x) || !field.allowed.contains(x))
     refuse(table, key, whole, fmt::format("is not allowed; it must be {}", wanted(field)));
   return x;
@@ -107,13 +116,14 @@ void refuse_unknown_keys(const Table& table, std::span<const std::string> known)
   }
 }
 
-std::vector<FieldValue> read_values(const Table& table, std::span<const FieldInfo> fields,
+std::vector<FieldValue> read_values(const Table& written, std::span<const FieldInfo> fields,
                                     std::span<const std::string> others) {
   std::vector<std::string> known(others.begin(), others.end());
   for (const auto& field : fields) {
     known.push_back(field.key);
     if (!field.ratio_key.empty()) known.push_back(field.ratio_key);
   }
+  const Table table = in_si(written, known);
   refuse_unknown_keys(table, known);
 
   std::vector<FieldValue> values(fields.size());

@@ -7,6 +7,7 @@
 #include "core/nearest.hpp"
 #include "core/number.hpp"
 #include "core/toml.hpp"
+#include "core/unit.hpp"
 
 #include <fmt/format.h>
 
@@ -148,11 +149,12 @@ LawCard read_law_card(const Table& table) {
   if (!card.variant.empty() && std::ranges::find(variants, card.variant) == variants.end())
     throw InvalidInput(fmt::format("{} = \"{}\" is no variant of {}{}", core::place(table, "variant"),
                                    card.variant, card.law, core::suggestion(card.variant, variants)));
-  if (const Table* parameters = core::section(table, "parameters")) {
-    core::refuse_unknown_keys(*parameters, keys_of(info));
-    for (const auto& entry : parameters->entries) {
-      check_range(*parameters, info, entry);
-      card.parameters[entry.key] = parameter_text(*parameters, entry);
+  if (const Table* written = core::section(table, "parameters")) {
+    const Table parameters = core::in_si(*written, keys_of(info));
+    core::refuse_unknown_keys(parameters, keys_of(info));
+    for (const auto& entry : parameters.entries) {
+      check_range(parameters, info, entry);
+      card.parameters[entry.key] = parameter_text(parameters, entry);
     }
   }
   if (const Table* validity = core::section(table, "validity"))

@@ -50,8 +50,17 @@ std::vector<std::size_t> turns(const Numbers& x, double least) {
   return rows;
 }
 
-/// Stretches where the platens stand: far more rows within a narrow band than on the way elsewhere.
-void mark_holds(const Numbers& x, double range, double travel_noise, Stages& stages) {
+/// Stretches where the platens stand: far more rows within a narrow band than on the way elsewhere. A stiff
+/// particle unloads over as little way, and its force shows it.
+void mark_holds(const Numbers& x, const Numbers& F, double range, double travel_noise, Stages& stages) {
+  constexpr double unloads = 0.05; // of the largest force
+  const double F_max = *std::ranges::max_element(F);
+  const auto is_way_back = [&](std::size_t i, std::size_t end) {
+    const auto stage = stages.of_row[(i + end) / 2];
+    const auto [least, most] =
+        std::minmax_element(F.begin() + static_cast<long>(i), F.begin() + static_cast<long>(end));
+    return (stage == Stage::unloading || stage == Stage::reloading) && *most - *least > unloads * F_max;
+  };
   constexpr double band_share = 1e-3;
   const double band = std::max(4 * travel_noise, band_share * range);
   Numbers steps; // over several rows, since travel that is written with few digits stands still in between
@@ -68,7 +77,7 @@ void mark_holds(const Numbers& x, double range, double travel_noise, Stages& sta
       low = std::min(low, x[end]), high = std::max(high, x[end]);
       ++end;
     }
-    if (end - i >= least) {
+    if (end - i >= least && !is_way_back(i, end)) {
       for (std::size_t k = i; k < end; ++k) stages.of_row[k] = Stage::hold;
       ++stages.holds;
       i = end;
@@ -124,7 +133,8 @@ Stages stages_of(const Specimen& s) {
   const auto [low, high] = std::ranges::minmax(x);
   const double range = high - low;
   if (!(range > 0)) return stages;
-  const auto rows = turns(x, std::max(6 * stages.travel_noise_m, 3e-3 * range));
+  constexpr double shortest = 5e-4; // of the range: a stiff metal comes back by so little
+  const auto rows = turns(x, std::max(6 * stages.travel_noise_m, shortest * range));
   double highest = -std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k + 1 < rows.size(); ++k) {
     const bool opens = x[rows[k + 1]] < x[rows[k]];
@@ -136,7 +146,7 @@ Stages stages_of(const Specimen& s) {
       if (!opens && k == 0) stages.of_row[i] = Stage::loading;
     }
   }
-  mark_holds(x, range, stages.travel_noise_m, stages);
+  mark_holds(x, F, range, stages.travel_noise_m, stages);
   stages.broke = find_break(F, stages);
   const std::size_t peak = rows.size() > 1 ? rows[1] : x.size() - 1;
   const auto end = static_cast<long>(std::max<std::size_t>(stages.broke ? stages.broke->row : peak, 2));

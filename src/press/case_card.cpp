@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/nearest.hpp"
 #include "core/number.hpp"
+#include "core/unit.hpp"
 #include "material/card.hpp"
 #include "press/card_fields.hpp"
 
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -52,9 +54,14 @@ Experiment experiment_named(const std::string& name, const std::string& where) {
       fmt::format("{} = \"{}\": there is no such experiment{}", where, name, core::suggestion(name, names)));
 }
 
+/// What is looked at before the fields are read.
+const std::vector<std::string> limits_by_force = {"force_max_N"};
+
 template <class X> X read_sections(const Table& card, X e) {
   const CardFields<X>& fields = card_fields(&e);
-  const Table* path = core::section(card, "path");
+  const Table* written = core::section(card, "path");
+  std::optional<Table> path;
+  if (written) path = core::in_si(*written, limits_by_force);
   if constexpr (!std::is_same_v<X, Local>)
     if (path && path->find("force_max_N"))
       throw core::InvalidInput(fmt::format("{} is for experiment = \"local\"; give {}",

@@ -44,7 +44,7 @@ case_card() { # MATERIAL LINES...
 # --- help ---
 answers 0 'platen derive' "$platen"
 answers 0 'platen 0.' "$platen" --version
-for command in materials point press fit derive import calibrate convert predict reproduce; do answers 0 'Example:' "$platen" $command --help; done
+for command in materials point press fit derive import calibrate compaction convert predict reproduce; do answers 0 'Example:' "$platen" $command --help; done
 for command in design run status export submit merge check surrogate; do answers 0 'Example:' "$platen" study $command --help; done
 answers 0 '| `only` |' "$platen" study design --keys
 answers 2 'STUDY.toml is required' "$platen" study design
@@ -217,7 +217,7 @@ answers 2 "did you mean 'wang'" "$platen" laws wan
 answers 0 ',loading,0,true' "$platen" eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-6:3
 answers 0 'warning: 1 of 2 points are outside' "$platen" eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-3:2
 answers 2 'known are: hertz, similarity' "$platen" eval hertzz --overlap 0:1:3
-answers 2 'known are: radius_m' "$platen" eval hertz -p radius=1 --overlap 0:1:3
+answers 2 'write -p radius_m=1' "$platen" eval hertz -p radius=1 --overlap 0:1:3
 answers 2 'nu = 0.5 is not in [0, 0.5)' "$platen" eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.5 --overlap 0:1:3
 answers 0 'unloading_exponent' "$platen" export table hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 1e-7:1e-6:3
 
@@ -312,6 +312,16 @@ has unable/curve.csv
 grep -qF '"complete": false' unable/summary.json || { failures=$((failures + 1)); echo 'FAILED: summary.json calls it complete'; }
 has_not unable/law.toml
 
+# --- units ---
+printf 'platen = 1\nname = "u"\nmodel = "von-mises"\n[parameters]\nE = "2 GPa"\nsigma_y = "25 N/mm2"\nnu = 0.3\n' >unit.toml
+answers 0 '2.5e7' "$platen" materials unit.toml
+answers 0 '1e-5,0.51802' "$platen" eval hertz -p radius=1mm -p 'E=1 GPa' -p nu=0.3 --overlap 0:10um:3
+answers 2 'has no unit' "$platen" eval hertz -p radius=1 -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-5:3
+answers 2 'is a length; it must be a stress' "$platen" eval hertz -p radius=1mm -p E=1mm -p nu=0.3 --overlap 0:1e-5:3
+answers 0 'inside' "$platen" predict --E '2 GPa' --nu 0.3 --sigma_y '20 MPa' -o unit-law.toml
+answers 2 'are the same' "$platen" predict --E '2 GPa' --E_Pa 2e9 --nu 0.3 --sigma_y '20 MPa' -o unit-law.toml
+answers 2 'is no number with a unit' "$platen" predict --E '2 Gpa' --nu 0.3 --sigma_y '20 MPa' -o unit-law.toml
+
 # --- measurements ---
 {
   printf '"Probendurchmesser";1,00;"mm"\r\n"Standardweg";"Standardkraft"\r\n"mm";"N"\r\n'
@@ -320,6 +330,9 @@ has_not unable/law.toml
 } >raw.csv
 answers 0 'd = 1 mm, 60 rows' "$platen" import raw.csv -o imported.csv
 answers 0 'semicolons, decimal comma' "$platen" import raw.csv --json
+answers 0 'd = 1 mm' "$platen" import raw.csv --picture raw.svg
+grep -q 'nothing for the machine' raw.svg || { failures=$((failures + 1)); echo 'FAILED: raw.svg does not say the corrections'; }
+answers 2 'ends in .svg or .png' "$platen" import raw.csv --picture raw.pdf
 answers 2 'E_Pa is seen in unloading alone' "$platen" calibrate raw.csv --law shahin --nu 0.3
 answers 2 'give it with --nu' "$platen" calibrate raw.csv --law shahin
 answers 2 'leave one out' "$platen" import raw.csv --radius_m 2e-3
@@ -334,6 +347,50 @@ answers 2 'stiff as an elastic sphere' "$platen" calibrate raw.csv --law shahin 
 has_not doubted.toml
 answers 0 'doubted:' "$platen" calibrate raw.csv --law shahin --nu 0.3 --E_Pa 3e6 -o doubted.toml --force
 grep -q '^doubts = ' doubted.toml || { failures=$((failures + 1)); echo 'FAILED: the card has no doubts'; }
+cat >bead.toml <<'END'
+platen = 1
+experiment = "simple"
+radius_m = 0.5e-3
+material = { platen = 1, name = "bead", model = "von-mises", parameters = { E_Pa = 2e9, sigma_y_Pa = 25e6, nu = 0.3 } }
+[path]
+delta_bar_max = 0.2
+unload_from = [0.1, 0.2]
+[mesh]
+elements = 300
+END
+answers 0 'results in' "$platen" press bead.toml -o bead --as-measured beads.csv --particles 2 --seed 3
+answers 0 '1 loop, 1 last unloading' "$platen" import beads.csv
+cp beads.csv same.csv
+answers 0 'results in' "$platen" press bead.toml -o bead --as-measured beads.csv --particles 2 --seed 3
+cmp beads.csv same.csv || failures=$((failures + 1))
+sed '/delta_bar_max/,/unload/d; s/"simple"/"die"/' bead.toml >bead-die.toml
+answers 2 'is for experiment = "simple"' "$platen" press bead-die.toml -o bead --as-measured beads.csv
+answers 0 'sigma_y_Pa' "$platen" calibrate beads.csv --material von-mises --nu 0.3 -o metal.toml --law-card metal-law.toml \
+  --profiles profiles.svg --picture beads.svg
+answers 0 'von-mises' "$platen" materials metal.toml
+answers 0 ',loading,' "$platen" eval metal-law.toml -p radius_m=1e-3 --overlap 1e-5:1e-4:3
+has profiles.svg
+answers 0 '"value_deviance"' "$platen" calibrate beads.csv --model von-mises --nu 0.3 --profiles --json
+answers 2 'nu is missing' "$platen" calibrate beads.csv --material von-mises
+answers 0 'kappa_Pa' "$platen" calibrate raw.csv --law shahin --nu 0.3 --E '0.3 GPa' --confined confined.csv
+grep -q '^die,' confined.csv || { failures=$((failures + 1)); echo 'FAILED: no die in confined.csv'; }
+answers 2 'knows one loading only' "$platen" calibrate raw.csv --law hertz --nu 0.3 --confined confined.csv --force
+printf 'E_Pa,sigma_y_Pa,what\n2e9,25e6,1\n2e9,1e3,2\n' >asked.csv
+answers 0 'sigma_y_Pa' "$platen" calibrate beads.csv --material von-mises --nu 0.3 --ask asked.csv --tell told.csv
+grep -q '^1000,2e9,inf,-inf,inf$' told.csv && [ "$(wc -l <told.csv)" -eq 3 ] || { failures=$((failures + 1)); cat told.csv; }
+answers 2 "column sigma_y_Pa is missing" "$platen" calibrate beads.csv --material von-mises --nu 0.3 --ask beads.csv --tell told.csv
+answers 2 '--tell is required' "$platen" calibrate beads.csv --material von-mises --nu 0.3 --ask asked.csv
+answers 2 'nothing is left' "$platen" calibrate beads.csv --law hertz --nu 0.3 --E '2 GPa'
+answers 2 '--material CARD' "$platen" calibrate beads.csv --material vmdc
+answers 2 'give one of the two' "$platen" calibrate beads.csv --material von-mises --law hertz --nu 0.3
+answers 2 '--press is for --material' "$platen" calibrate beads.csv --law hertz --nu 0.3 --press
+answers 2 '--press calibrates through presses' "$platen" calibrate beads.csv --material lead-hollomon
+printf 'rho_r,axial_stress_MPa,radial_stress_MPa\n0.5,1,0.4\n0.6,2,0.8\n' >die.csv
+printf 'rho_r,compressive_strength_MPa,tensile_strength_MPa\n0.5,1,0.2\n0.7,3,0.5\n' >tablets.csv
+answers 2 'fewer than 8 rows load' "$platen" compaction die.csv --strengths tablets.csv --rho_r0 0.5
+answers 2 'there is no column compressive_strength' "$platen" compaction die.csv --strengths die.csv --rho_r0 0.5
+answers 2 '--rho_r0 must be in' "$platen" compaction die.csv --strengths tablets.csv --rho_r0 50
+answers 2 'is no relative density' "$platen" compaction <(printf 'rho_r,axial_stress_MPa,radial_stress_MPa\n50,1,1\n') --strengths tablets.csv --rho_r0 0.5
 answers 2 'it is travel' "$platen" fit imported.csv --law edmans-sinka --displacement-is delta
 answers 0 'relative L2' "$platen" fit raw.csv --law edmans-sinka
 awk 'BEGIN { print "delta_m,force_N"; for (i = 0; i <= 50; ++i) print i * 1e-5 "," i * 1e-1 }' >unit.csv

@@ -68,7 +68,18 @@ TEST(Fields, InAnotherUnitAreRefusedWithTheConvertedLine) {
             "s.toml, line 3: E_MPa = 100 is not in SI units; write E_Pa = 1e8");
   EXPECT_EQ(refusal("radius_mm = 1.1"),
             "s.toml, line 1: radius_mm = 1.1 is not in SI units; write radius_m = 0.0011");
-  EXPECT_EQ(refusal("radius = 1"), "s.toml, line 1: radius = 1 is not in SI units; write radius_m, in m");
+  EXPECT_EQ(refusal("radius = 1"), "s.toml, line 1: radius = 1 is not in SI units; write radius_m, in m, or "
+                                   "radius = \"1 m\" with its unit");
+}
+
+TEST(Fields, MayCarryTheirUnitUnderTheBareName) {
+  EXPECT_EQ(read("radius = \"1.5 mm\"\nsigma_y_Pa = 1e6\nE = \"0.1 GPa\"").E_Pa, 1e8);
+  EXPECT_EQ(read("radius = \"1.5 mm\"\nsigma_y_Pa = 1e6\nE_bar = 50").radius_m, 1.5e-3);
+  EXPECT_EQ(refusal("radius = \"1.5 N\""),
+            "s.toml, line 1: radius = \"1.5 N\" is a force; it must be a length, in m, in, cm, mm, um or nm");
+  EXPECT_EQ(
+      refusal("radius_m = \"1.5 mm\""),
+      "s.toml, line 1: radius_m = \"1.5 mm\" has a unit, and the key has one too; write radius = \"1.5 mm\"");
 }
 
 TEST(Fields, UnknownOnesAreRefusedWithTheNearestKnownOne) {

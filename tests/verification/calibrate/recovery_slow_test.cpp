@@ -1,6 +1,6 @@
 // Intervals of 95 % hold the truth in 90 to 99 % of 200 repetitions.
 
-#include "recovery.hpp"
+#include "material_recovery.hpp"
 
 namespace {
 
@@ -18,6 +18,12 @@ void expect_honest(const synthetic::Tally& tally, double worst) {
 TEST(Coverage, OfGranules) { expect_honest(synthetic::repeat(synthetic::granule, 200, 4), 0.03); }
 TEST(Coverage, OfElasticPlasticParticles) {
   expect_honest(synthetic::repeat(synthetic::metal, 200, 5), 0.05);
+}
+
+/// Of E and the yield stress of metals, and of a powder that twelve numbers describe.
+TEST(Coverage, OfMaterials) {
+  const calibrate::FreeMaterial metal("von-mises", {{"nu", "0.3"}}, {});
+  expect_honest(synthetic::repeat_material(metal, synthetic::bead, 200, 6), 0.05);
 }
 
 } // namespace

@@ -22,15 +22,12 @@ struct Made {
   double contact_m = 0; ///< travel
 };
 
-/// One particle to `delta_bar`: approach over `gap_m`, loading with two loops, unloading. `breaks`: at this
-/// share of the way the force falls.
-inline Made measured(const Truth& truth, double diameter_m, double gap_m, double delta_bar, double zero_N,
-                     std::mt19937_64& random, double breaks = 0) {
+/// One particle to `delta_bar`: approach over `gap_m`, loading with two loops, unloading. `law`: against a
+/// plane, for this particle. `breaks`: at this share of the way the force falls.
+template <class Law>
+Made measured_of(const Law& law, const Truth& truth, double diameter_m, double gap_m, double delta_bar,
+                 double zero_N, std::mt19937_64& random, double breaks = 0) {
   const double R = diameter_m / 2, delta_max = delta_bar * R;
-  fit::LawCard card;
-  card.law = truth.law;
-  card.parameters = truth.parameters;
-  const auto law = fit::make_law(card, {{"radius_m", core::number_text(R)}, {"against", "plane"}});
   std::vector<double> path;
   const double step = delta_max / 150;
   const auto go = [&](double to) {
@@ -72,6 +69,17 @@ inline Made measured(const Truth& truth, double diameter_m, double gap_m, double
     s.line.push_back(static_cast<int>(i) + 2);
   }
   return made;
+}
+
+/// Of a law by name.
+inline Made measured(const Truth& truth, double diameter_m, double gap_m, double delta_bar, double zero_N,
+                     std::mt19937_64& random, double breaks = 0) {
+  fit::LawCard card;
+  card.law = truth.law;
+  card.parameters = truth.parameters;
+  const auto law =
+      fit::make_law(card, {{"radius_m", core::number_text(diameter_m / 2)}, {"against", "plane"}});
+  return measured_of(law, truth, diameter_m, gap_m, delta_bar, zero_N, random, breaks);
 }
 
 } // namespace platen::synthetic

@@ -1,0 +1,106 @@
+#include "calibrate/curves.hpp"
+#include "core/error.hpp"
+#include "surrogate/said.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace platen::calibrate {
+namespace {
+
+using namespace surrogate;
+
+/// Refused: a number beyond those of the pool, by more than rounding; another Poisson's ratio of a metal is
+/// judged at the end.
+void check_inside(const Surrogate& s, const Description& d) {
+  for (std::size_t k = 0; k < s.ranges.size(); ++k) {
+    const auto& [key, low, high] = s.ranges[k];
+    const double value = d.numbers[k].value, slack = 1e-6 * std::max(std::abs(low), std::abs(high)) + 1e-12;
+    if (high - low > slack && !(value >= low - slack && value <= high + slack))
+      throw core::InvalidInput(fmt::format("{} = {:.6g} is not in {:.6g} to {:.6g}", key, value, low, high));
+  }
+}
+
+/// Logarithms of F at the knots and of alpha and beta, without the variances that predict() adds.
+struct Logarithms {
+  std::vector<double> F, a, unloading;
+};
+Logarithms logarithms_at(const Surrogate& s, const std::vector<double>& at) {
+  Logarithms l;
+  for (const auto& layer : s.layers) {
+    add(l.F, values_at(layer.force, layer.inputs, at));
+    add(l.a, values_at(layer.radius, layer.inputs, at));
+    add(l.unloading, values_at(layer.unloading, layer.inputs, at));
+  }
+  return l;
+}
+
+law::PressedMaterial curve(const Surrogate& s, const Logarithms& l, const material::Material& material) {
+  const auto half = l.unloading.begin() + static_cast<std::ptrdiff_t>(s.unload_delta_bar.size());
+  return curve_of(
+      {s.knots, l.F, l.a, s.unload_delta_bar, {l.unloading.begin(), half}, {half, l.unloading.end()}},
+      material);
+}
+
+/// Standard deviation of a score; `wider`: of the band over what the processes would have.
+double deviation(const Process& process, const Inputs& inputs, const std::vector<double>& at, double wider) {
+  return wider * std::sqrt(variance_at(process, inputs, at) + process.nugget * process.variance);
+}
+
+} // namespace
+
+Curves surrogate_curves(const material::Material& typical) {
+  const auto s = std::make_shared<const Surrogate>(ask_catalogue(describe(typical.model)).surrogate);
+  const auto described = [s](const material::Material& m) {
+    const auto d = describe(m.model);
+    check_inside(*s, d);
+    return d;
+  };
+  Curves curves;
+  curves.of = [s, described](const material::Material& m) {
+    return curve(*s, logarithms_at(*s, input_of(*s, described(m).coordinates)), m);
+  };
+  curves.astray = [s, described](const material::Material& m) {
+    const auto d = described(m);
+    const auto at = input_of(*s, d.coordinates);
+    const auto best = logarithms_at(*s, at);
+    constexpr double nominal = 1.645; // half the 90 % band of a normal distribution
+    const double wider = s->band / nominal;
+    std::vector<law::PressedMaterial> ways;
+    auto rest = said_of(*s, d, nullptr).F_variance; // what no component holds: another Poisson's ratio
+    for (double& variance : rest) variance *= wider * wider;
+    for (const auto& layer : s->layers) {
+      for (std::size_t c = 0; c < layer.force.basis.size(); ++c) {
+        const double by = deviation(layer.force.processes[c], layer.inputs, at, wider);
+        auto other = best;
+        for (std::size_t j = 0; j < other.F.size(); ++j) {
+          other.F[j] += by * layer.force.basis[c][j];
+          rest[j] -= std::pow(by * layer.force.basis[c][j], 2);
+        }
+        ways.push_back(curve(*s, other, m));
+      }
+      for (std::size_t c = 0; c < layer.unloading.basis.size(); ++c) {
+        const double by = deviation(layer.unloading.processes[c], layer.inputs, at, 1);
+        auto other = best;
+        for (std::size_t j = 0; j < other.unloading.size(); ++j)
+          other.unloading[j] += by * layer.unloading.basis[c][j];
+        ways.push_back(curve(*s, other, m));
+      }
+    }
+    auto other = best;
+    for (std::size_t j = 0; j < other.F.size(); ++j) other.F[j] += std::sqrt(std::max(0.0, rest[j]));
+    ways.push_back(curve(*s, other, m));
+    return ways;
+  };
+  return curves;
+}
+
+surrogate::Answer surrogate_answer(const material::Material& typical, const material::Material& material) {
+  const auto s = ask_catalogue(describe(typical.model)).surrogate;
+  return std::move(*ask(s, describe(material.model), {}));
+}
+
+} // namespace platen::calibrate
