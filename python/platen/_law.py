@@ -10,10 +10,11 @@ import numpy as np
 
 from . import _core
 from ._cards import Record, key_of, parameter_text, write
-from ._contact import Contact
+from ._contact import Contact, floats
 from ._errors import InvalidInput
 
 if TYPE_CHECKING:
+    import numpy.typing as npt
     from matplotlib.axes import Axes
 
     from ._press import Curve
@@ -145,6 +146,11 @@ class Law:
             _each(density, len(laws), "density"),
             0.0 if delta_bar is None else float(delta_bar),
         )
+
+    def to_table(self, overlap: npt.ArrayLike, *, radius: float) -> str:
+        """Force, stiffness, contact radius and unloading over `overlap` [m] of two spheres of this radius [m], as `platen export
+        table`: for codes that take tables."""
+        return _core.law_table(self._card, _radius(radius, "radius"), floats(overlap, "overlap").tolist())
 
     def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
         """Force over overlap of one sphere on a plane without units, unloading and the fitted curve beside; needs

@@ -4,6 +4,7 @@
 
 #include "core/number.hpp"
 #include "dem/lammps_lines.hpp"
+#include "dem/law_table.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -83,6 +84,14 @@ void add_laws(nb::module_& m) {
             return fit::read_law_card(core::parse_toml(text, file));
           },
           nb::arg("text"), nb::arg("file"), "A card from its text; messages call it `file`.")
+      .def_static(
+          "variant_of",
+          [](const std::string& law, const std::string& variant) {
+            auto card = fit::find_law_card(law);
+            card.variant = variant;
+            return card;
+          },
+          nb::arg("law"), nb::arg("variant"), "A card, or an empty one of a law, in another form.")
       .def_static("make", &make, nb::arg("law"), nb::arg("variant"), nb::arg("parameters"),
                   "A card from parameters as texts.")
       .def(
@@ -106,6 +115,15 @@ void add_laws(nb::module_& m) {
           "errors", [](const fit::LawCard& card) { return dict_of(card.errors); }, "[error]")
       .def_prop_ro(
           "provenance", [](const fit::LawCard& card) { return dict_of(card.provenance); }, "[provenance]");
+  m.def(
+      "law_table",
+      [](const fit::LawCard& card, double radius, const std::vector<double>& overlap) {
+        const law::ParameterTexts more{{"radius_m", core::number_text(radius)}};
+        fit::LawCard shown = card;
+        shown.parameters["radius_m"] = more.at("radius_m");
+        return dem::law_table(shown, fit::make_law(card, more), overlap);
+      },
+      nb::arg("card"), nb::arg("radius"), nb::arg("overlap"), "A table for a DEM code.");
   m.def(
       "lammps_lines",
       [](const std::vector<fit::LawCard>& cards, const std::vector<double>& radii,
