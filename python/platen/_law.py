@@ -11,7 +11,7 @@ import numpy as np
 from . import _core
 from ._cards import Record, key_of, parameter_text, write
 from ._contact import Contact, floats
-from ._errors import InvalidInput
+from ._errors import InvalidInput, IoError
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -146,6 +146,17 @@ class Law:
             _each(density, len(laws), "density"),
             0.0 if delta_bar is None else float(delta_bar),
         )
+
+    def to_dem_engine(self, folder: str | os.PathLike[str], *, restitution: float = 1.0, friction: float = 0.0) -> None:
+        """Writes functions.cu, model.cu and platen_model.py: a force model with its memory, as source text for DEM-Engine.
+        `restitution` of an elastic contact, in (0, 1], by viscous damping; `friction` is Coulomb's coefficient."""
+        texts = _core.engine_model(self._card, float(restitution), float(friction))
+        try:
+            os.makedirs(folder, exist_ok=True)
+        except OSError as error:
+            raise IoError(f"{os.fspath(folder)}: the folder cannot be made: {error.strerror}") from error
+        for name, text in zip(("functions.cu", "model.cu", "platen_model.py"), texts):
+            write(os.path.join(os.fspath(folder), name), text)
 
     def to_table(self, overlap: npt.ArrayLike, *, radius: float) -> str:
         """Force, stiffness, contact radius and unloading over `overlap` [m] of two spheres of this radius [m], as `platen export

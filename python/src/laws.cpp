@@ -3,6 +3,7 @@
 #include "core.hpp"
 
 #include "core/number.hpp"
+#include "dem/device_law.hpp"
 #include "dem/lammps_lines.hpp"
 #include "dem/law_table.hpp"
 
@@ -115,6 +116,13 @@ void add_laws(nb::module_& m) {
           "errors", [](const fit::LawCard& card) { return dict_of(card.errors); }, "[error]")
       .def_prop_ro(
           "provenance", [](const fit::LawCard& card) { return dict_of(card.provenance); }, "[provenance]");
+  m.def(
+      "engine_model",
+      [](const fit::LawCard& card, double restitution, double friction) {
+        auto texts = dem::engine_model(card, restitution, friction);
+        return std::vector{std::move(texts.functions), std::move(texts.model), std::move(texts.use)};
+      },
+      nb::arg("card"), nb::arg("restitution"), nb::arg("friction"), "Texts for DEM-Engine.");
   m.def(
       "law_table",
       [](const fit::LawCard& card, double radius, const std::vector<double>& overlap) {

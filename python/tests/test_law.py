@@ -149,3 +149,17 @@ def test_lammps_lines_are_those_of_the_command(command, law):
         [command, "export", "lammps", "law.toml", "--radius", "3e-4", "--density", "1500"], capture_output=True, text=True, check=True
     )
     assert law.to_lammps(radius=3e-4, density=1500) == answer.stdout
+
+
+def test_texts_and_tables_are_those_of_the_command(law, command, tmp_path):
+    law.save(tmp_path / "law.toml")
+    run = lambda *words: subprocess.run([command, "export", *words], check=True, capture_output=True, text=True).stdout  # noqa: E731
+    run("dem-engine", "law.toml", "--friction", "0.3", "--restitution", "0.5", "-o", "theirs")
+    law.to_dem_engine("ours", restitution=0.5, friction=0.3)
+    for name in ("functions.cu", "model.cu", "platen_model.py"):
+        assert (tmp_path / "ours" / name).read_text() == (tmp_path / "theirs" / name).read_text()
+    theirs = run("table", "law.toml", "-p", "radius_m=1e-3", "--overlap", "1e-6:1e-5:3")
+    ours = platen.Law.load("law.toml").to_table(np.linspace(1e-6, 1e-5, 3), radius=1e-3)
+    assert [line for line in ours.splitlines() if line[0] != "#"] == [line for line in theirs.splitlines() if line[0] != "#"]
+    with pytest.raises(platen.InvalidInput, match="restitution"):
+        law.to_dem_engine("ours", restitution=0)
