@@ -158,6 +158,14 @@ class Law:
         for name, text in zip(("functions.cu", "model.cu", "platen_model.py"), texts):
             write(os.path.join(os.fspath(folder), name), text)
 
+    def to_parameters(self, *, radius: float, delta_bar: float = 0.0) -> Record:
+        """The nearest laws of two numbers, as `platen export parameters`, for codes that take no more: two spheres of this
+        radius [m], pressed to `delta_bar` (without it, as far as the card holds). `hertz`: E_Pa, nu, force_relative_l2;
+        `springs`: k_1_N_per_m, k_2_N_per_m, force_relative_l2; `restitution`, sqrt(work given back/work spent) from there;
+        `restitutions`, the same at other delta/R."""
+        found = _core.two_parameters(self._card, _radius(radius, "radius"), float(delta_bar))
+        return Record({key: Record(value) if isinstance(value, dict) else value for key, value in found.items()})
+
     def to_table(self, overlap: npt.ArrayLike, *, radius: float) -> str:
         """Force, stiffness, contact radius and unloading over `overlap` [m] of two spheres of this radius [m], as `platen export
         table`: for codes that take tables."""

@@ -6,6 +6,7 @@
 #include "dem/device_law.hpp"
 #include "dem/lammps_lines.hpp"
 #include "dem/law_table.hpp"
+#include "dem/two_parameters.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -123,6 +124,26 @@ void add_laws(nb::module_& m) {
         return std::vector{std::move(texts.functions), std::move(texts.model), std::move(texts.use)};
       },
       nb::arg("card"), nb::arg("restitution"), nb::arg("friction"), "Texts for DEM-Engine.");
+  m.def(
+      "two_parameters",
+      [](const fit::LawCard& card, double radius, double delta_bar) {
+        const auto p = dem::two_parameters(card, radius, delta_bar);
+        nb::dict hertz, springs, d;
+        hertz["E_Pa"] = p.E_Pa;
+        hertz["nu"] = p.nu;
+        hertz["force_relative_l2"] = p.hertz_error;
+        springs["k_1_N_per_m"] = p.k_1_N_per_m;
+        springs["k_2_N_per_m"] = p.k_2_N_per_m;
+        springs["force_relative_l2"] = p.springs_error;
+        d["radius_m"] = p.radius_m;
+        d["delta_bar"] = p.delta_bar;
+        d["hertz"] = hertz;
+        d["springs"] = springs;
+        d["restitution"] = p.restitution;
+        d["restitutions"] = p.restitutions;
+        return d;
+      },
+      nb::arg("card"), nb::arg("radius"), nb::arg("delta_bar"), "The nearest laws of two numbers.");
   m.def(
       "law_table",
       [](const fit::LawCard& card, double radius, const std::vector<double>& overlap) {
