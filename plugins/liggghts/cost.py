@@ -1,6 +1,6 @@
 """Processor time a contact and step of `model platen` beside LIGGGHTS's own models, each in the same bed at rest.
 
-cost.py PLATEN PLUGIN [SIDE]    # the bed has SIDE^3 spheres
+cost.py PLUGIN [SIDE]    # the bed has SIDE^3 spheres
 """
 import os
 import pathlib
@@ -10,8 +10,8 @@ import subprocess
 import sys
 import tempfile
 
-platen, plugin = (pathlib.Path(path).resolve() for path in sys.argv[1:3])
-side = int(sys.argv[3]) if len(sys.argv) > 3 else 20
+plugin = pathlib.Path(sys.argv[1]).resolve()
+side = int(sys.argv[2]) if len(sys.argv) > 2 else 20
 steps, card = 400, pathlib.Path(__file__).resolve().parents[2] / "examples/lammps/mcc-ph-200.toml"
 
 # A lattice whose spheres overlap by 2 % of their radius and slide past each other: all contacts are at work.
@@ -58,10 +58,11 @@ with tempfile.TemporaryDirectory() as folder:
     best = {}
     for _ in range(5):  # in turn, so that other work on the machine meets all alike
         for name, (law, options) in models.items():
-            text = INPUT.format(edge=1.98e-3 * side, steps=steps, law=f"variable law string {law}" if law else "", options=options,
-                                model=name.split(",")[0])
-            done = subprocess.run([shutil.which("liggghts")], input=text, cwd=folder, text=True, errors="replace", stdout=subprocess.PIPE,
-                                  stderr=subprocess.STDOUT, timeout=200, env=dict(os.environ, LD_PRELOAD=str(plugin), OMP_NUM_THREADS="1"))
+            variable = f"variable law string {law}" if law else ""
+            text = INPUT.format(edge=1.98e-3 * side, steps=steps, law=variable, options=options, model=name.split(",")[0])
+            done = subprocess.run([shutil.which("liggghts")], input=text, cwd=folder, text=True, errors="replace", timeout=200,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                  env=dict(os.environ, LD_PRELOAD=str(plugin), OMP_NUM_THREADS="1"))
             found = re.findall(r"^Pair  time \(%\) = ([0-9.]+)", done.stdout, re.M)
             if len(found) < 2:
                 sys.exit(f"{name}: {done.stdout[-1500:]}")
