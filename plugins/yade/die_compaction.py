@@ -1,5 +1,5 @@
-"""Granules in a square die of YADE, pressed by a punch to a packing of 80 % by Platen's law: pressure over packing, and what a step
-costs beside YADE's own Hertz-Mindlin law in the same bed.
+"""Granules in a square die of YADE, pressed by a punch to a packing of 80 % by Platen's law: pressure over packing, and what
+a step costs beside YADE's own Hertz-Mindlin law in the same bed.
 
 yade -n -x die_compaction.py [PER_SIDE]   # platen and this folder on PYTHONPATH; PER_SIDE^3 granules, 4 by default
 """
@@ -57,8 +57,8 @@ start = time.perf_counter()
 O.run(1_000_000, True)
 packing, top, bottom = np.array(curve).T
 contacts = sum(i.isReal for i in O.interactions)
-print(f"{count} granules, {O.iter} steps in {time.perf_counter() - start:.0f} s; at packing {packing[-1]:.3f} {top[-1] / 1e6:.2f} MPa on "
-      f"the punch, {bottom[-1] / 1e6:.2f} MPa below, {contacts} contacts")  # fmt: skip
+print(f"{count} granules, {O.iter} steps in {time.perf_counter() - start:.0f} s; at packing {packing[-1]:.3f} "
+      f"{top[-1] / 1e6:.2f} MPa on the punch, {bottom[-1] / 1e6:.2f} MPa below, {contacts} contacts")  # fmt: skip
 np.savetxt("compaction.txt", np.array(curve), header="packing pressure_upper_Pa pressure_lower_Pa")
 
 # what a step of this bed costs, at rest
