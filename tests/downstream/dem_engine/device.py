@@ -1,7 +1,7 @@
-"""The force model for DEM-Engine through NVIDIA's run-time compiler, as the engine compiles it; no accelerator is needed. Skipped where
-Python has no nvidia-cuda-nvrtc.
+"""The force model for DEM-Engine through NVIDIA's run-time compiler, as the engine compiles it; no accelerator is needed. Skipped
+where the compiler is not there: build/venv/bin/pip install nvidia-cuda-nvrtc-cu12
 
-device.py PLATEN FOLDER [LIBRARY]
+device.py PLATEN FOLDER
 """
 import ctypes
 import pathlib
@@ -10,15 +10,12 @@ import sys
 
 platen, out = sys.argv[1], pathlib.Path(sys.argv[2])
 here = pathlib.Path(__file__).resolve().parent
-if len(sys.argv) > 3:
-    library = sys.argv[3]
-else:
-    try:
-        import nvidia.cuda_nvrtc
-    except ImportError:
-        print("skipped: nvidia-cuda-nvrtc is not installed")
-        sys.exit(77)
-    library = str(next(pathlib.Path(nvidia.cuda_nvrtc.__path__[0]).glob("lib/libnvrtc.so*")))
+package = "lib/python*/site-packages/nvidia/cuda_nvrtc/lib/libnvrtc.so*"
+found = sorted((here.parents[2] / "build/venv").glob(package))
+if not found:
+    print("skipped: build/venv has no nvidia-cuda-nvrtc-cu12")
+    sys.exit(77)
+library = str(found[0])
 out.mkdir(parents=True, exist_ok=True)
 subprocess.run([platen, "export", "dem-engine", here.parents[2] / "examples/lammps/mcc-ph-200.toml", "--friction", "0.3", "--restitution", "0.5",
                 "-o", out], check=True, stdout=subprocess.DEVNULL)
