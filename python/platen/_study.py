@@ -66,8 +66,8 @@ class Study:
     def run(
         self, *, workers: int | None = None, progress: Progress = False, retry_failed: bool = False, old: str = ""
     ) -> StudyStatus:
-        """Presses what is missing, in `workers` processes (without it one a processor), which go on where other workers on the
-        same store stop. Ctrl-C ends it; what is finished stays, and the same call goes on. `progress=True` draws a bar; a
+        """Presses what is missing, in `workers` processes (without it one a processor), beside those of others on the same store.
+        Ctrl-C ends it; what is finished stays, and the same call goes on. `progress=True` draws a bar; a
         function is called with the runs done, failed, and all. `retry_failed` presses failed runs again. Of runs that another
         engine pressed `old` says what becomes: "keep", or "recompute".
 
