@@ -1,5 +1,6 @@
-"""bundled.py WHEEL: puts the licence texts of the libraries that auditwheel copied into a wheel, and a list of them (CycloneDX 1.5;
-auditwheel's own has no more those that were changed before), into its .dist-info; the list beside the wheel too. Debian says which package a library is of."""
+"""bundled.py WHEEL: puts the licence texts of the libraries that auditwheel copied into a wheel, and a list of them
+(CycloneDX 1.5; auditwheel's own has no more those that were changed before), into its .dist-info; the list beside the wheel
+too. Debian says which package a library is of."""
 
 import json
 import os

@@ -15,8 +15,9 @@ the place of its own. kn becomes the secant stiffness, so that friction and the 
         NewtonIntegrator(damping=0.1),
     ]
 
-What is no sphere is a rigid plane. A pair that parts keeps its memory. Contacts are made for each two radii that meet: few
-sizes are quick, a continuous distribution is not. Of the material in YADE only the friction angle counts.
+What is no sphere is a rigid plane. A pair that parts keeps its memory; radii do not change. Contacts are made for each two
+radii that meet: few sizes are quick, a continuous distribution is not. Of the material in YADE only the friction angle
+counts.
 """
 
 from __future__ import annotations
@@ -54,15 +55,23 @@ class PlatenForces:
         self._O = omega
         self._laws = laws
         self._kinds: dict[tuple[Any, ...], _Kind] = {}
+        self._kind_of: dict[tuple[int, int], _Kind] = {}
 
     def __call__(self) -> None:
         """Of one step, after `InteractionLoop`."""
-        gathered: dict[tuple[Any, ...], list[Any]] = {}
+        gathered: dict[_Kind, tuple[list[Any], list[tuple[int, int]]]] = {}
         for i in self._O.interactions:
-            if i.isReal:
-                gathered.setdefault(self._key(i), []).append(i)
-        for key, interactions in gathered.items():
-            self._push(self._kind(key), interactions)
+            if not i.isReal:
+                continue
+            pair = (i.id1, i.id2)
+            kind = self._kind_of.get(pair)
+            if kind is None:
+                kind = self._kind_of[pair] = self._kind(self._key(i))
+            interactions, pairs = gathered.setdefault(kind, ([], []))
+            interactions.append(i)
+            pairs.append(pair)
+        for kind, (interactions, pairs) in gathered.items():
+            self._push(kind, interactions, pairs)
 
     def overlap_max(self) -> dict[tuple[int, int], float]:
         """Largest overlap of every pair so far [m]."""
@@ -84,24 +93,27 @@ class PlatenForces:
             k = max(k, *np.asarray(contact([top, top * (1 - 1e-6)]).stiffness))
         return 0.1 * 2 * float(np.sqrt(density * 4 / 3 * np.pi * R**3 / (8 * k)))
 
-    def _push(self, kind: _Kind, interactions: list[Any]) -> None:
-        overlap = np.array([i.geom.penetrationDepth for i in interactions])
-        rows = kind.rows([(i.id1, i.id2) for i in interactions])
+    def _push(self, kind: _Kind, interactions: list[Any], pairs: list[tuple[int, int]]) -> None:
+        geometry = [i.geom for i in interactions]
+        overlap = np.array([g.penetrationDepth for g in geometry])
+        rows = kind.rows(pairs)
         everyone = kind.state.overlap
         everyone[:] = np.minimum(everyone, 0)  # those that YADE does not list are apart
         everyone[rows] = overlap
         force = kind.contact.step(kind.state, everyone, only=["force"]).force[rows]
         add = self._O.forces.addF
-        for i, f, u in zip(interactions, force, overlap):
-            ours = f * i.geom.normal
-            more = ours - i.phys.normalForce
-            add(i.id1, -more)
-            add(i.id2, more)
-            i.phys.normalForce = ours
+        for i, g, (one, two), f, u in zip(interactions, geometry, pairs, force.tolist(), overlap.tolist()):
+            physics = i.phys
+            ours = f * g.normal
+            more = ours - physics.normalForce
+            add(one, -more)
+            add(two, more)
+            physics.normalForce = ours
             if u > 0 and f > 0:
-                ratio = i.phys.ks / i.phys.kn if i.phys.kn > 0 else 0.0
-                i.phys.kn = f / u
-                i.phys.ks = ratio * i.phys.kn
+                kn = physics.kn
+                ratio = physics.ks / kn if kn > 0 else 0.0
+                physics.kn = f / u
+                physics.ks = ratio * f / u
 
     def _key(self, i: Any) -> tuple[Any, ...]:
         """Radii and laws of the two bodies; None for a plane."""

@@ -8,6 +8,7 @@
 SI units everywhere; overlap is the approach of two centres, compression is positive.
 """
 
+from ._comparison import Comparison, compare
 from ._contact import BRANCHES, QUANTITIES, Contact, Response, State
 from ._core import calibrated_laws as CALIBRATED_LAWS
 from ._core import engine
@@ -17,11 +18,12 @@ from ._law import Law, LawError, LawInfo, Validity, law, laws
 from ._material import Material, dpc, drucker_prager, elastic, materials, mohr_coulomb, vmdc, von_mises
 from ._measured import Calibration, Measurement, calibrate, fit, import_curve
 from ._press import ZONES, Curve, Press, press
+from ._study import Study, StudyStatus
 
 __all__ = [
     "BRANCHES", "CALIBRATED_LAWS", "QUANTITIES", "ZONES",
-    "Calibration", "Contact", "ConvergenceError", "Curve", "Error", "InvalidInput", "IoError", "Law", "LawError",
-    "LawInfo", "Material", "Measurement", "Press", "Response", "State", "Validity", "Warning",
-    "calibrate", "dpc", "drucker_prager", "elastic", "engine", "fit", "import_curve", "law", "laws", "materials",
+    "Calibration", "Comparison", "Contact", "ConvergenceError", "Curve", "Error", "InvalidInput", "IoError", "Law", "LawError",
+    "LawInfo", "Material", "Measurement", "Press", "Response", "State", "Study", "StudyStatus", "Validity", "Warning",
+    "calibrate", "compare", "dpc", "drucker_prager", "elastic", "engine", "fit", "import_curve", "law", "laws", "materials",
     "mohr_coulomb", "press", "vmdc", "von_mises", "__version__",
 ]  # fmt: skip

@@ -83,6 +83,21 @@ def write(path: str | os.PathLike[str], text: str) -> None:
         raise IoError(f"{path} cannot be written: {error.strerror}") from error
 
 
+def structured(columns: Iterable[tuple[str, Any]]) -> Any:
+    """Columns as one structured array; words as text of the length that they need."""
+    arrays = [(name, np.asarray(values, dtype=str) if isinstance(values, list) else values) for name, values in columns]
+    table = np.empty(len(arrays[0][1]), dtype=[(name, values.dtype) for name, values in arrays])
+    for name, values in arrays:
+        table[name] = values
+    return table
+
+
+def records(rows: list[tuple[Any, ...]], columns: list[tuple[str, str]]) -> Any:
+    """Rows as a structured array."""
+    return structured((name, [row[i] for row in rows] if kind == "U" else np.array([row[i] for row in rows], dtype=kind))
+                      for i, (name, kind) in enumerate(columns))  # fmt: skip
+
+
 class Record(dict):  # type: ignore[type-arg]
     """A section of a card, or a result, whose keys are attributes too."""
 

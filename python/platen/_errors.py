@@ -14,9 +14,11 @@ class InvalidInput(Error, ValueError):
 
 
 class ConvergenceError(Error, ArithmeticError):
-    """A solution was not found. Where a press stopped early, `press` is what it has up to there."""
+    """A solution was not found. Where a press stopped early, `press` is what it has up to there; where the way of a material
+    point did, `points`."""
 
     press: Any = None
+    points: Any = None
 
 
 class IoError(Error, OSError):

@@ -10,10 +10,11 @@ import numpy as np
 
 from . import _core
 from ._cards import Record, key_of, parameter_text, write
-from ._contact import Contact
-from ._errors import InvalidInput
+from ._contact import Contact, floats
+from ._errors import InvalidInput, IoError
 
 if TYPE_CHECKING:
+    import numpy.typing as npt
     from matplotlib.axes import Axes
 
     from ._press import Curve
@@ -145,6 +146,30 @@ class Law:
             _each(density, len(laws), "density"),
             0.0 if delta_bar is None else float(delta_bar),
         )
+
+    def to_dem_engine(self, folder: str | os.PathLike[str], *, restitution: float = 1.0, friction: float = 0.0) -> None:
+        """Writes functions.cu, model.cu and platen_model.py: a force model with its memory, as source text for DEM-Engine.
+        `restitution` of an elastic contact, in (0, 1], by viscous damping; `friction` is Coulomb's coefficient."""
+        texts = _core.engine_model(self._card, float(restitution), float(friction))
+        try:
+            os.makedirs(folder, exist_ok=True)
+        except OSError as error:
+            raise IoError(f"{os.fspath(folder)}: the folder cannot be made: {error.strerror}") from error
+        for name, text in zip(("functions.cu", "model.cu", "platen_model.py"), texts):
+            write(os.path.join(os.fspath(folder), name), text)
+
+    def to_parameters(self, *, radius: float, delta_bar: float = 0.0) -> Record:
+        """The nearest laws of two numbers, as `platen export parameters`, for codes that take no more: two spheres of this
+        radius [m], pressed to `delta_bar` (without it, as far as the card holds). `hertz`: E_Pa, nu, force_relative_l2;
+        `springs`: k_1_N_per_m, k_2_N_per_m, force_relative_l2; `restitution`, sqrt(work given back/work spent) from there;
+        `restitutions`, the same at other delta/R."""
+        found = _core.two_parameters(self._card, _radius(radius, "radius"), float(delta_bar))
+        return Record({key: Record(value) if isinstance(value, dict) else value for key, value in found.items()})
+
+    def to_table(self, overlap: npt.ArrayLike, *, radius: float) -> str:
+        """Force, stiffness, contact radius and unloading over `overlap` [m] of two spheres of this radius [m], as `platen export
+        table`: for codes that take tables."""
+        return _core.law_table(self._card, _radius(radius, "radius"), floats(overlap, "overlap").tolist())
 
     def plot(self, ax: Axes | None = None, **style: Any) -> Axes:
         """Force over overlap of one sphere on a plane without units, unloading and the fitted curve beside; needs

@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
 
 from . import _core
-from ._cards import Record, key_of, tell, toml_lines, write
-from ._errors import InvalidInput
+from ._cards import Record, key_of, structured, tell, toml_lines, write
+from ._errors import ConvergenceError, InvalidInput
 from ._law import Law
-from ._press import Press, press_case
+from ._press import ZONES, Press, press_case
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
 
 
 class Material:
@@ -20,15 +25,43 @@ class Material:
     >>> law = granule.predict()
     """
 
-    __slots__ = ("_card",)
+    __slots__ = ("_card", "remarks")
 
-    def __init__(self, card: _core.MaterialCard) -> None:
+    def __init__(self, card: _core.MaterialCard, remarks: list[str] | None = None) -> None:
         self._card = card
+        self.remarks = remarks or []
+        """of a material from a deck: how it was read"""
 
     @classmethod
     def load(cls, what: str | os.PathLike[str]) -> Material:
         """A card by path, or one of the catalogue by name: `platen.materials()` lists them."""
         return cls(_core.MaterialCard.find(os.fspath(what)))
+
+    @classmethod
+    def from_abaqus(
+        cls,
+        deck: str | os.PathLike[str],
+        *,
+        units: str = "",
+        material: str = "",
+        rho_r0: float | None = None,
+        despite_doubts: bool = False,
+    ) -> Material:
+        """A material from an input file of Abaqus, as `platen convert`: *ELASTIC, *DENSITY, *PLASTIC, *DRUCKER PRAGER, *CAP
+        PLASTICITY, *MOHR COULOMB with their hardening. `units` of the file: "si", "mm-tonne-MPa", "mm-kg-GPa", "m-tonne-kPa" or
+        "in-lbf-psi"; `material` names one of several; `rho_r0` is the relative density at volumetric plastic strain 0 of a cap.
+        What has no counterpart here is a warning; numbers that are those of no material are refused, unless
+        `despite_doubts`."""
+        card, said, left_over, doubts = _core.from_deck(os.fspath(deck), units, material, rho_r0, despite_doubts)
+        tell([f"without counterpart: {line}" for line in left_over] + [f"doubted: {doubt}" for doubt in doubts])
+        return cls(card, said)
+
+    def to_abaqus(self, units: str) -> str:
+        """The material as a section of an input file of Abaqus, in these units (those of `from_abaqus`). What Abaqus lacks is a
+        warning; "vmdc" is refused."""
+        text, left_over = _core.to_deck(self._card, units)
+        tell(f"without counterpart: {line}" for line in left_over)
+        return text
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the card, in SI units."""
@@ -93,6 +126,36 @@ class Material:
         tell(said)
         return Law(card, near=near)
 
+    def point(
+        self,
+        way: str | os.PathLike[str] | npt.ArrayLike,
+        *,
+        strain: float = -0.2,
+        lateral: float = 0.0,
+        compaction: float = 0.0,
+        steps: int = 100,
+        moduli: str = "implicit",
+    ) -> Any:
+        """Leads one material point along a way: "isotropic", "uniaxial-strain", "triaxial", "shear"; the path of a CSV with
+        eps_1,eps_2,eps_3; or an array (n, 3) of principal logarithmic strains, extension positive, each row a state.
+
+        `strain` is that at the end, of the volume (isotropic) or of axis 1; `lateral` the stress on axes 2 and 3 [Pa], tension
+        positive (triaxial); `compaction` the logarithmic volume lost before (shear); `moduli` "implicit" or "after-step". One
+        row a step, the start first: step, eps_1 .. 3, sigma_1_Pa .. 3, p_Pa (tension positive), q_Pa, phi (state variable of the
+        model), rho_r, zone. A structured array: `table["q_Pa"]`. ConvergenceError where a step is refused; its attribute
+        `points` is the way until then."""
+        name, rows = _way(way)
+        numbers, zones, refusal = _core.walk(self._card, name, rows, strain, lateral, compaction, steps, moduli)
+        numbers = numbers.reshape(len(zones), -1)
+        columns: list[tuple[str, Any]] = [("step", np.arange(len(zones)))]
+        columns += [(key, numbers[:, i]) for i, key in enumerate(_POINT_COLUMNS)]
+        table = structured([*columns, ("zone", [ZONES[zone] for zone in zones])])
+        if refusal:
+            refused = ConvergenceError(f"{refusal}; the way until then is the attribute points of this error")
+            refused.points = table
+            raise refused
+        return table
+
     def press(
         self,
         experiment: str = "simple",
@@ -151,7 +214,7 @@ class Material:
         return hash(self.text)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _material, (self.text, self._card.file)
+        return _material, (self.text, self._card.file, self.remarks)
 
     def __repr__(self) -> str:
         return f"<Material {self.name}: {self.model}>"
@@ -169,6 +232,22 @@ class Material:
         return table_html(f"{self.name}: model {self.model}", rows)
 
 
+_POINT_COLUMNS = ("eps_1", "eps_2", "eps_3", "sigma_1_Pa", "sigma_2_Pa", "sigma_3_Pa", "p_Pa", "q_Pa", "phi", "rho_r")
+
+
+def _way(way: Any) -> tuple[str, Any]:
+    if isinstance(way, (str, os.PathLike)):
+        name = os.fspath(way)
+        named = name in _core.ways or not os.path.exists(name)
+        return name, [] if named else _core.read_strains(name)
+    rows = np.asarray(way)
+    if rows.dtype.kind not in "iuf":
+        raise TypeError(f"the way must be numbers, not {rows.dtype}")
+    if rows.ndim != 2 or rows.shape[1] != 3 or len(rows) == 0:
+        raise InvalidInput(f"the way must be rows of three strains, not an array of shape {rows.shape}")
+    return "the way", rows.astype(float).tolist()
+
+
 _CASE_KEYS = {
     **dict.fromkeys(("elements", "step_max", "edges", "first_contact_bar"), "mesh"),
     **dict.fromkeys(("fields_at", "fields_at_N"), "output"),
@@ -180,10 +259,10 @@ def _inline(text: str) -> str:
     return "[material]\n" + text.replace("[parameters]", "[material.parameters]")
 
 
-def _material(text: str, file: str) -> Material:
+def _material(text: str, file: str, remarks: list[str]) -> Material:
     card = _core.MaterialCard.parse(text, file or "a pickled material")
     card.file = file
-    return Material(card)
+    return Material(card, remarks)
 
 
 def materials() -> list[str]:

@@ -11,6 +11,7 @@ from ._svg import dimensionless
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from ._comparison import Comparison
     from ._law import Law
     from ._press import Curve
 
@@ -39,6 +40,18 @@ def plot_law(law: Law, ax: Axes | None, **style: Any) -> Axes:
     ax.set_xlabel(r"$\delta/R$")
     ax.set_ylabel(r"$F/(\pi R^2 \sigma_\mathrm{ref})$" if scale != 1.0 else r"$F/R^2$ [Pa]")
     ax.set_title(law._title(), fontsize="small")
+    ax.legend(frameon=False)
+    return ax
+
+
+def plot_comparison(comparison: Comparison, ax: Axes | None) -> Axes:
+    ax = _axes(ax)
+    x = comparison.delta_m / comparison.radius
+    ax.plot(x, comparison.reference["force_N"], color="0.75", linewidth=4, label=comparison.reference["name"])
+    for trace in comparison.traces:
+        ax.plot(x, trace["force_N"], label=trace["name"])
+    ax.set_xlabel(r"$\delta/R$")
+    ax.set_ylabel("F [N]")
     ax.legend(frameon=False)
     return ax
 

@@ -198,13 +198,13 @@ def press(
 
 
 def press_case(text: str, file: str, progress: bool | Callable[[float, float, float], Any], estimate_error: bool) -> Press:
-    callback = _Bar() if progress is True else progress or None
+    callback = Bar("pressing") if progress is True else progress or None
     if callback is not None and not callable(callback):
         raise TypeError(f"progress is {type(progress).__name__}; it must be True or a function")
     try:
         pressed = _core.press(text, file, callback, estimate_error)
     finally:
-        if isinstance(callback, _Bar):
+        if isinstance(callback, Bar):
             callback.close()
     done = Press(pressed)
     if pressed.failure is not None:
@@ -215,21 +215,25 @@ def press_case(text: str, file: str, progress: bool | Callable[[float, float, fl
     return done
 
 
-class _Bar:
+class Bar:
     """A bar on standard error, also in a notebook."""
 
-    def __init__(self) -> None:
+    def __init__(self, label: str) -> None:
+        self._label = label
         self._start = self._last = time.monotonic()
         self._drawn = False
 
     def __call__(self, fraction: float, delta_bar: float, force: float) -> None:
+        self.draw(fraction, f"delta/R = {delta_bar:.3f}")
+
+    def draw(self, fraction: float, note: str) -> None:
         now = time.monotonic()
         if fraction < 1 and now - self._last < 0.1:
             return
         self._last = now
         self._drawn = True
         filled = "=" * int(30 * min(fraction, 1))
-        bar = f"\rpressing [{filled:<30}] {100 * fraction:3.0f} %  delta/R = {delta_bar:.3f}  {now - self._start:.0f} s "
+        bar = f"\r{self._label} [{filled:<30}] {100 * fraction:3.0f} %  {note}  {now - self._start:.0f} s "
         sys.stderr.write(bar)
         sys.stderr.flush()
 

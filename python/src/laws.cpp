@@ -3,7 +3,10 @@
 #include "core.hpp"
 
 #include "core/number.hpp"
+#include "dem/device_law.hpp"
 #include "dem/lammps_lines.hpp"
+#include "dem/law_table.hpp"
+#include "dem/two_parameters.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -83,6 +86,14 @@ void add_laws(nb::module_& m) {
             return fit::read_law_card(core::parse_toml(text, file));
           },
           nb::arg("text"), nb::arg("file"), "A card from its text; messages call it `file`.")
+      .def_static(
+          "variant_of",
+          [](const std::string& law, const std::string& variant) {
+            auto card = fit::find_law_card(law);
+            card.variant = variant;
+            return card;
+          },
+          nb::arg("law"), nb::arg("variant"), "A card, or an empty one of a law, in another form.")
       .def_static("make", &make, nb::arg("law"), nb::arg("variant"), nb::arg("parameters"),
                   "A card from parameters as texts.")
       .def(
@@ -106,6 +117,42 @@ void add_laws(nb::module_& m) {
           "errors", [](const fit::LawCard& card) { return dict_of(card.errors); }, "[error]")
       .def_prop_ro(
           "provenance", [](const fit::LawCard& card) { return dict_of(card.provenance); }, "[provenance]");
+  m.def(
+      "engine_model",
+      [](const fit::LawCard& card, double restitution, double friction) {
+        auto texts = dem::engine_model(card, restitution, friction);
+        return std::vector{std::move(texts.functions), std::move(texts.model), std::move(texts.use)};
+      },
+      nb::arg("card"), nb::arg("restitution"), nb::arg("friction"), "Texts for DEM-Engine.");
+  m.def(
+      "two_parameters",
+      [](const fit::LawCard& card, double radius, double delta_bar) {
+        const auto p = dem::two_parameters(card, radius, delta_bar);
+        nb::dict hertz, springs, d;
+        hertz["E_Pa"] = p.E_Pa;
+        hertz["nu"] = p.nu;
+        hertz["force_relative_l2"] = p.hertz_error;
+        springs["k_1_N_per_m"] = p.k_1_N_per_m;
+        springs["k_2_N_per_m"] = p.k_2_N_per_m;
+        springs["force_relative_l2"] = p.springs_error;
+        d["radius_m"] = p.radius_m;
+        d["delta_bar"] = p.delta_bar;
+        d["hertz"] = hertz;
+        d["springs"] = springs;
+        d["restitution"] = p.restitution;
+        d["restitutions"] = p.restitutions;
+        return d;
+      },
+      nb::arg("card"), nb::arg("radius"), nb::arg("delta_bar"), "The nearest laws of two numbers.");
+  m.def(
+      "law_table",
+      [](const fit::LawCard& card, double radius, const std::vector<double>& overlap) {
+        const law::ParameterTexts more{{"radius_m", core::number_text(radius)}};
+        fit::LawCard shown = card;
+        shown.parameters["radius_m"] = more.at("radius_m");
+        return dem::law_table(shown, fit::make_law(card, more), overlap);
+      },
+      nb::arg("card"), nb::arg("radius"), nb::arg("overlap"), "A table for a DEM code.");
   m.def(
       "lammps_lines",
       [](const std::vector<fit::LawCard>& cards, const std::vector<double>& radii,

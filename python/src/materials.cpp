@@ -2,7 +2,10 @@
 
 #include "core.hpp"
 
+#include "core/file.hpp"
+#include "fit/convert_deck.hpp"
 #include "material/card.hpp"
+#include "material/walk.hpp"
 #include "surrogate/predict_law.hpp"
 
 namespace platen::python {
@@ -26,6 +29,38 @@ nb::tuple predict(const Card& card, const std::string& law, const std::string& v
   std::vector<std::string> near;
   for (const auto& one : predicted.near) near.push_back(words(predicted.answer.surrogate, one));
   return nb::make_tuple(std::move(predicted.card), said, near);
+}
+
+/// Rows of a way, and why it ends early.
+nb::tuple walk(const Card& card, const std::string& name, const std::vector<std::array<double, 3>>& rows,
+               double strain, double lateral, double compaction, int steps, const std::string& moduli) {
+  const material::Way way{name, strain, lateral, compaction, steps, moduli, rows};
+  const auto& model = card.material.model;
+  const auto w = long_work([&] { return material::walk(model, way); });
+  std::vector<double> rows_out;
+  std::vector<int> zones;
+  for (const auto& [total, elastic, phi, last] : w.points) {
+    for (const double number : {total[0], total[1], total[2], last.sigma[0], last.sigma[1], last.sigma[2],
+                                last.p, last.q, phi, material::relative_density(model, phi)})
+      rows_out.push_back(number);
+    zones.push_back(static_cast<int>(last.zone));
+  }
+  return nb::make_tuple(array_of(rows_out), zones, w.refusal);
+}
+
+nb::tuple from_deck(const std::string& file, const std::string& units, const std::string& name,
+                    std::optional<double> rho_r0, bool despite_doubts) {
+  if (!core::is_there(file)) throw core::InvalidInput(file + ": there is no such file");
+  const auto decks = material::read_deck(core::read_file(file), file);
+  const auto& deck = material::choose(decks, name);
+  if (units.empty()) throw core::InvalidInput(material::which_units(deck));
+  const auto c = fit::convert_deck(deck, material::deck_units(units), rho_r0, despite_doubts);
+  return nb::make_tuple(material::read_card(core::parse_toml(c.card, file)), c.said, c.left_over, c.doubts);
+}
+
+std::pair<std::string, std::vector<std::string>> to_deck(const Card& card, const std::string& units) {
+  auto deck = material::deck_of(card.material, material::deck_units(units));
+  return {std::move(deck.text), std::move(deck.left_over)};
 }
 
 } // namespace
@@ -67,6 +102,16 @@ void add_materials(nb::module_& m) {
             return list;
           },
           "Key, value and meaning of each.");
+  m.def("walk", &walk, nb::arg("material"), nb::arg("way"), nb::arg("rows"), nb::arg("strain"),
+        nb::arg("lateral"), nb::arg("compaction"), nb::arg("steps"), nb::arg("moduli"),
+        "States of a material point along a way.");
+  m.def("read_strains", &material::read_strains, nb::arg("file"), "Columns eps_1, eps_2, eps_3 of a CSV.");
+  m.attr("ways") = material::way_names();
+  m.def("from_deck", &from_deck, nb::arg("file"), nb::arg("units"), nb::arg("name"), nb::arg("rho_r0").none(),
+        nb::arg("despite_doubts"),
+        "A card from an Abaqus deck; how it was read, what has no counterpart, what is doubted.");
+  m.def("to_deck", &to_deck, nb::arg("material"), nb::arg("units"),
+        "A section of an Abaqus deck, and what it lacks.");
   m.def("predict", &predict, nb::arg("material"), nb::arg("law"), nb::arg("variant"), nb::arg("quick"),
         nb::arg("extrapolate"),
         "A law at once; what is to be read, and the nearest materials that were pressed.");

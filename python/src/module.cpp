@@ -51,6 +51,8 @@ struct Convert {
 
 } // namespace
 
+void stop_long_work() { raised = true; }
+
 Signals::Signals() { raised = false; }
 Signals::~Signals() { raised = false; }
 
@@ -79,4 +81,6 @@ NB_MODULE(_core, m) {
   python::add_materials(m);
   python::add_press(m);
   python::add_measured(m);
+  python::add_comparison(m);
+  python::add_study(m);
 }

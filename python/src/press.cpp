@@ -2,7 +2,6 @@
 
 #include "core.hpp"
 
-#include "core/interrupt.hpp"
 #include "fit/derivation.hpp"
 #include "material/card.hpp"
 #include "measure/fit_law.hpp"
@@ -28,39 +27,11 @@ struct Pressed {
   press::Result result;
 };
 
-/// A callback of Python as that of a press; what it raises is kept, and the press stops.
-class Callback {
- public:
-  explicit Callback(nb::object function) : function_(std::move(function)) {}
-
-  bool operator()(double fraction, const press::CurvePoint& point) {
-    if (core::interrupted()) return false;
-    if (function_.is_none()) return true;
-    nb::gil_scoped_acquire lock;
-    try {
-      function_(fraction, point.delta_bar, point.force_N);
-    } catch (nb::python_error& error) {
-      raised_ = std::make_exception_ptr(std::move(error));
-      return false;
-    }
-    return true;
-  }
-  /// With the lock held: goes on with what was raised in Python during the press.
-  void rethrow() const {
-    if (raised_) std::rethrow_exception(raised_);
-    if (PyErr_Occurred()) nb::raise_python_error();
-  }
-
- private:
-  nb::object function_;
-  std::exception_ptr raised_;
-};
-
 Pressed run(const std::string& case_text, const std::string& file, nb::object progress, bool estimate_error) {
   Pressed pressed{press::read_case(core::parse_toml(case_text, file)), {}};
   Callback callback(std::move(progress));
   const auto call = [&](double fraction, const press::CurvePoint& point) {
-    return callback(fraction, point);
+    return callback(fraction, point.delta_bar, point.force_N);
   };
   long_work([&] {
     auto& result = pressed.result;
@@ -82,14 +53,6 @@ template <class T, class List> nb::object matrix(const List& rows) {
   return nb::cast(nb::ndarray<nb::numpy, T, nb::ndim<2>>(data, {rows.size(), columns}, owner));
 }
 
-nb::object column(const std::vector<double>& values) {
-  auto* data = new double[values.size()];
-  std::ranges::copy(values, data);
-  nb::capsule owner(data, [](void* p) noexcept { delete[] static_cast<double*>(p); });
-  return nb::cast(nb::ndarray<nb::numpy, double, nb::ndim<1>>(data, {values.size()}, owner));
-}
-
-/// Arrays under the names that the files of VTK have.
 /// Components of stress, named as in files of VTK.
 constexpr std::array section_stress{"sigma_rr_Pa", "sigma_zz_Pa", "sigma_rz_Pa", "sigma_tt_Pa"};
 constexpr std::array spatial_stress{"sigma_xx_Pa", "sigma_yy_Pa", "sigma_zz_Pa",
@@ -113,14 +76,14 @@ nb::dict fields(const press::SnapshotOf<E>& s, double radius_m, const Names& nam
   for (std::size_t k = 0; k < names.size(); ++k) {
     std::vector<double> values;
     for (const auto& stress : s.stress) values.push_back(stress[k]);
-    d[names[k]] = column(values);
+    d[names[k]] = array_of(values);
   }
-  d["p_Pa"] = column(s.p);
-  d["q_Pa"] = column(s.q);
-  d["rho_r"] = column(s.rho_r);
-  d["phi"] = column(s.phi);
-  d["plastic_hencky_strain_v"] = column(s.plastic_strain_v);
-  d["plastic_hencky_strain_q"] = column(s.plastic_strain_q);
+  d["p_Pa"] = array_of(s.p);
+  d["q_Pa"] = array_of(s.q);
+  d["rho_r"] = array_of(s.rho_r);
+  d["phi"] = array_of(s.phi);
+  d["plastic_hencky_strain_v"] = array_of(s.plastic_strain_v);
+  d["plastic_hencky_strain_q"] = array_of(s.plastic_strain_q);
   return d;
 }
 

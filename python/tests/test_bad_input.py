@@ -246,6 +246,38 @@ def test_fuzz_materials(keywords):
         return
 
 
+@quick
+@given(arrays.arrays(st.sampled_from([np.float64, np.float32, np.int64, np.bool_, np.complex128]),
+                     arrays.array_shapes(min_dims=0, max_dims=3, max_side=4)), st.sampled_from(["implicit", "after-step", "else"]))  # fmt: skip
+def test_fuzz_ways_of_a_point(granule, way, moduli):
+    try:
+        table = granule.point(way, moduli=moduli)
+    except (platen.InvalidInput, platen.ConvergenceError, TypeError):
+        return
+    assert len(table) == len(way) + 1 and np.all(np.isfinite(table["p_Pa"]))
+
+
+@quick
+@given(st.text(max_size=12), anything, anything)
+def test_fuzz_questions(pressed, name, ranges, value):
+    try:
+        platen.compare(pressed.curve, name, ranges=ranges, E=value)
+    except (platen.InvalidInput, platen.IoError, TypeError, ValueError):
+        return
+
+
+@quick
+@given(numbers, numbers, numbers)
+def test_fuzz_exports(law, radius, delta_bar, friction):
+    for call in (lambda: law.to_parameters(radius=radius, delta_bar=delta_bar),
+                 lambda: law.to_dem_engine("engine", friction=friction, restitution=delta_bar),
+                 lambda: law.to_table([delta_bar, friction], radius=radius)):  # fmt: skip
+        try:
+            call()
+        except (platen.InvalidInput, TypeError):
+            pass
+
+
 def test_a_truncated_pickle_is_pythons_own_error(law):
     with pytest.raises(Exception):
         pickle.loads(pickle.dumps(law)[:-5])

@@ -149,3 +149,34 @@ def test_lammps_lines_are_those_of_the_command(command, law):
         [command, "export", "lammps", "law.toml", "--radius", "3e-4", "--density", "1500"], capture_output=True, text=True, check=True
     )
     assert law.to_lammps(radius=3e-4, density=1500) == answer.stdout
+
+
+def test_texts_and_tables_are_those_of_the_command(law, command, tmp_path):
+    law.save(tmp_path / "law.toml")
+    run = lambda *words: subprocess.run([command, "export", *words], check=True, capture_output=True, text=True).stdout  # noqa: E731
+    run("dem-engine", "law.toml", "--friction", "0.3", "--restitution", "0.5", "-o", "theirs")
+    law.to_dem_engine("ours", restitution=0.5, friction=0.3)
+    for name in ("functions.cu", "model.cu", "platen_model.py"):
+        assert (tmp_path / "ours" / name).read_text() == (tmp_path / "theirs" / name).read_text()
+    theirs = run("table", "law.toml", "-p", "radius_m=1e-3", "--overlap", "1e-6:1e-5:3")
+    ours = platen.Law.load("law.toml").to_table(np.linspace(1e-6, 1e-5, 3), radius=1e-3)
+    assert [line for line in ours.splitlines() if line[0] != "#"] == [line for line in theirs.splitlines() if line[0] != "#"]
+    with pytest.raises(platen.InvalidInput, match="restitution"):
+        law.to_dem_engine("ours", restitution=0)
+
+
+def test_laws_of_two_numbers():
+    E, nu, R = 3e9, 0.25, 2e-3
+    hertz = platen.law("hertz", E=E, nu=nu).to_parameters(radius=R, delta_bar=0.01)
+    assert hertz.hertz.E_Pa == pytest.approx(E, rel=1e-6) and hertz.hertz.force_relative_l2 < 1e-5 and hertz.restitution == 1
+    # of 4/3 E* sqrt(R/2) x^1.5 the nearest line has the slope 3 int x^2.5 dx = 6/7 sqrt(end), and misses 1 - 48/49 of the square
+    end = 2 * R * 0.01
+    line = 4 / 3 * E / (2 * (1 - nu**2)) * np.sqrt(R / 2) * 6 / 7 * np.sqrt(end)
+    assert hertz.springs.k_1_N_per_m == pytest.approx(line, rel=1e-5)
+    assert hertz.springs.force_relative_l2 == pytest.approx(1 / 7, rel=1e-3)
+    assert hertz.springs.k_2_N_per_m == pytest.approx(line, rel=1e-5)
+    springs = platen.law("luding", k_1=1e4, k_2=5e4, phi_f=0.1).to_parameters(radius=R, delta_bar=0.02)
+    assert springs.springs.k_1_N_per_m == pytest.approx(1e4, rel=1e-4) and springs.springs.force_relative_l2 < 1e-3
+    plastic = platen.Material.load("von-mises-100").predict().to_parameters(radius=R)
+    assert 0 < plastic.restitution < 0.5 and plastic.springs.k_2_N_per_m > 4 * plastic.springs.k_1_N_per_m
+    assert plastic.restitutions[0][1] > plastic.restitutions[-1][1]

@@ -1,15 +1,12 @@
 #include "app/commands.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
-#include "core/toml.hpp"
-#include "fit/doubt.hpp"
+#include "fit/convert_deck.hpp"
 #include "material/card.hpp"
 #include "material/deck.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <filesystem>
 #include <memory>
 
 namespace platen::app {
@@ -20,37 +17,6 @@ struct Options {
   std::optional<double> rho_r0;
   bool force = false;
 };
-
-/// Numbers of no material on this planet are those of other units.
-std::vector<fit::Doubt> doubts_about(const material::Material& m, const material::DeckMaterial& deck) {
-  std::vector<fit::Doubt> doubts;
-  const double E = material::initial_E(m.model), sigma = material::reference_stress(m.model);
-  const auto doubt = [&](const std::string& what) {
-    doubts.push_back({true, fmt::format("{}; are these the units? {}", what, material::which_units(deck))});
-  };
-  constexpr double E_least = 1e4, E_most = 1.3e12;           // gels; diamond
-  constexpr double density_least = 20, density_most = 2.3e4; // foams; osmium
-  if (E < E_least || E > E_most) doubt(fmt::format("E = {:.3g} Pa is that of no material", E));
-  else if (m.density && (*m.density < density_least || *m.density > density_most))
-    doubt(fmt::format("a density of {:.3g} kg/m3 is that of no material", *m.density));
-  if (sigma > E)
-    doubts.push_back(
-        {true, fmt::format("{}: the strength, {:.3g} Pa, is above E = {:.3g} Pa", deck.file, sigma, E)});
-  return doubts;
-}
-
-const material::DeckMaterial& chosen(const std::vector<material::DeckMaterial>& all, const Options& o) {
-  std::vector<std::string> names;
-  for (const auto& m : all) {
-    if (m.name == o.material || (o.material.empty() && all.size() == 1)) return m;
-    names.push_back(core::in_quotes(m.name));
-  }
-  throw core::InvalidInput(
-      o.material.empty()
-          ? fmt::format("{}: {} materials: {}; choose one with --material", o.deck, all.size(),
-                        fmt::join(names, ", "))
-          : fmt::format("--material {}: {} has {}", o.material, o.deck, fmt::join(names, ", ")));
-}
 
 /// What was written, and on standard output what could not be.
 void write(const Options& o, const std::string& text, const std::vector<std::string>& said,
@@ -80,20 +46,10 @@ void convert(const Options& o) {
   if (o.deck.ends_with(".toml") || (named && !o.deck.ends_with(".inp"))) return write_deck(o);
   if (named) throw core::InvalidInput(fmt::format("{}: there is no such file", o.deck));
   const auto decks = material::read_deck(core::read_file(o.deck), o.deck);
-  const auto& deck = chosen(decks, o);
+  const auto& deck = material::choose(decks, o.material);
   if (o.units.empty()) throw core::InvalidInput(material::which_units(deck));
-  const auto& units = material::deck_units(o.units);
-  const auto converted = material::convert(deck, units, o.rho_r0);
-  const auto doubts = fit::pass(doubts_about(converted.material, deck), o.force);
-  std::string source = fmt::format("converted from {}, units {}",
-                                   std::filesystem::path(o.deck).filename().string(), units.words);
-  if (!converted.left_over.empty())
-    source += fmt::format("; without counterpart: {}", fmt::join(converted.left_over, "; "));
-  if (!doubts.empty()) source += fmt::format("; doubted: {}", fmt::join(doubts, "; "));
-  const std::string text =
-      fmt::format("{}\n[source]\ndefault = {}\n", card_text(converted.material), core::in_quotes(source));
-  (void)material::read_card(core::parse_toml(text, o.deck)); // what the model does not admit is said now
-  write(o, text, converted.said, converted.left_over);
+  const auto converted = fit::convert_deck(deck, material::deck_units(o.units), o.rho_r0, o.force);
+  write(o, converted.card, converted.said, converted.left_over);
 }
 
 } // namespace

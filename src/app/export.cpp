@@ -1,5 +1,7 @@
 #include "app/commands.hpp"
+#include "app/export_dem_engine.hpp"
 #include "app/export_lammps.hpp"
+#include "app/export_parameters.hpp"
 #include "app/law_arguments.hpp"
 #include "core/file.hpp"
 #include "dem/law_table.hpp"
@@ -40,6 +42,8 @@ void add_export(Command program) {
   table.footer("Example: platen export table mcc.toml -p radius_m=1e-3 --overlap 1e-6:5e-4:500 -o mcc.csv");
   table.callback([options] { export_table(*options); });
   add_export_lammps(command);
+  add_export_dem_engine(command);
+  add_export_parameters(command);
   command.footer("Example: platen export table mcc.toml -p radius_m=1e-3 --overlap 1e-6:5e-4:500 -o mcc.csv");
 }
 

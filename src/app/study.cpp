@@ -61,7 +61,7 @@ void run(const Options& o) {
   const auto s = study::read_study(o.card);
   auto store = store_of(s, o);
   store.open_for_writing(o.old());
-  study::forget_damaged(s, store);
+  for (const auto& what : study::forget_damaged(s, store)) core::say_line("note: " + what);
   if (o.retry_failed)
     for (const auto& key : study::tally(s, store).failures) store.forget(key);
   {
@@ -73,13 +73,7 @@ void run(const Options& o) {
   }
   const auto t = study::tally(s, store);
   print_tally(t, store);
-  if (t.done == 0)
-    throw core::ConvergenceError(
-        fmt::format(
-            "every press of the study failed, the first with: {}; change the case or the factors of {} "
-            "(a finer or coarser mesh, a shorter path, a material that can be pressed)",
-            store.failure(t.failures.front()), o.card),
-        0, 0, 0);
+  study::refuse_total_failure(s, store, t);
   if (t.failed > 0)
     core::say(
         fmt::format("note: {} of {} presses failed: `platen study status` gives the reasons, --retry-failed "
@@ -87,31 +81,17 @@ void run(const Options& o) {
                     t.failed, t.runs));
 }
 
-bool is_sqlite(const std::string& file) { return file.ends_with(".sqlite") || file.ends_with(".db"); }
-
 void export_table(const Options& o) {
   const auto s = study::read_study(o.card);
   const auto store = store_of(s, o);
   const auto found = study::find_runs(s, store);
-  const auto count = [&](study::Store::State state) {
-    return std::count_if(found.begin(), found.end(), [&](const auto& run) { return run.state == state; });
-  };
-  if (count(study::Store::State::done) == 0)
-    core::say(fmt::format("note: no run of the study is done in {}\n", store.folder().string()));
+  if (const auto what = study::nothing_done(store, found); !what.empty()) core::say_line("note: " + what);
   const auto runs = study::runs_sheet(s, store, found, o.variant);
   const auto curves = [&] { return study::curves_sheet(s, store, found, o.step); };
-  if (is_sqlite(o.output)) study::write_sqlite(o.output, {runs, curves()});
+  if (study::is_sqlite(o.output)) study::write_sqlite(o.output, {runs, curves()});
   else core::write_file(o.output, study::csv_text(runs));
   if (!o.curves.empty()) core::write_file(o.curves, study::csv_text(curves()));
-  if (const auto damaged = count(study::Store::State::damaged); damaged > 0) {
-    const auto first = std::find_if(found.begin(), found.end(), [](const auto& run) {
-      return run.state == study::Store::State::damaged;
-    });
-    throw core::IoError(
-        fmt::format("{} of {} runs are damaged and without numbers in the tables, the first: {}; "
-                    "`platen study run` presses them again",
-                    damaged, found.size(), store.damage(first->key)));
-  }
+  if (const auto what = study::damage(store, found); !what.empty()) throw core::IoError(what);
 }
 
 void merge(const Options& o) {

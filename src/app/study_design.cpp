@@ -3,8 +3,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "study/card.hpp"
-#include "study/derived.hpp"
-#include "study/sheet.hpp"
+#include "study/table.hpp"
 
 #include <fmt/format.h>
 
@@ -18,22 +17,6 @@ struct Options {
   std::string card, output, beside;
   bool keys = false;
 };
-
-/// The inputs of each run, and the derived quantities of its case.
-study::Sheet sheet_of(const study::Study& s) {
-  study::Sheet sheet{
-      "design", {{"study", s.name}, {"kind", s.kind}, {"seed", std::to_string(s.seed)}}, {"run"}, {}};
-  for (const auto& factor : s.factors) sheet.columns.push_back(factor.name);
-  for (const auto& derived : study::derived_quantities()) sheet.columns.push_back(derived.name);
-  for (const auto& run : s.runs) {
-    std::vector<study::Cell> row = {static_cast<std::int64_t>(sheet.rows.size() + 1)};
-    for (const auto& input : run.inputs)
-      std::visit([&](const auto& level) { row.emplace_back(level); }, input);
-    for (const auto& derived : study::derived_quantities()) row.emplace_back(derived.of(run.press_case));
-    sheet.rows.push_back(std::move(row));
-  }
-  return sheet;
-}
 
 /// The points of `other` with the factors in the order of `s`.
 std::vector<study::Point> reordered(const study::Study& other, const study::Study& s) {
@@ -80,7 +63,7 @@ void design(const Options& o) {
       "distances in the unit cube of the ranges of {}; MaxPro: small is good, inf where two runs share a "
       "number\n",
       s.name);
-  if (!o.output.empty()) core::write_file(o.output, study::csv_text(sheet_of(s)));
+  if (!o.output.empty()) core::write_file(o.output, study::csv_text(study::design_sheet(s)));
 }
 
 } // namespace

@@ -168,6 +168,18 @@ std::vector<DeckMaterial> read_deck(std::string_view text, const std::string& fi
   return materials;
 }
 
+const DeckMaterial& choose(const std::vector<DeckMaterial>& all, const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto& m : all) {
+    if (m.name == name || (name.empty() && all.size() == 1)) return m;
+    names.push_back(core::in_quotes(m.name));
+  }
+  if (name.empty())
+    throw InvalidInput(fmt::format("{}: {} materials: {}; choose one by its name: material NAME",
+                                   all.front().file, all.size(), fmt::join(names, ", ")));
+  throw InvalidInput(fmt::format("material {}: {} has {}", name, all.front().file, fmt::join(names, ", ")));
+}
+
 const std::vector<DeckUnits>& deck_units() {
   static const std::vector<DeckUnits> all = {
       {"si", "m, kg, s, N, Pa", 1, 1},

@@ -31,6 +31,9 @@ struct DeckMaterial {
 /// no *MATERIAL.
 std::vector<DeckMaterial> read_deck(std::string_view text, const std::string& file);
 
+/// The one of that name; without a name the only one. InvalidInput, with the names, where there is none.
+const DeckMaterial& choose(const std::vector<DeckMaterial>&, const std::string& name);
+
 /// How the deck's numbers become SI.
 struct DeckUnits {
   std::string_view name, words;

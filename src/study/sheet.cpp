@@ -108,6 +108,8 @@ std::string csv_text(const Sheet& sheet) {
   return text;
 }
 
+bool is_sqlite(std::string_view file) { return file.ends_with(".sqlite") || file.ends_with(".db"); }
+
 void write_sqlite(const std::filesystem::path& path, const std::vector<Sheet>& sheets) {
   const auto temporary = core::temporary_name(path);
   std::error_code error;

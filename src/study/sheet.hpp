@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -21,6 +22,9 @@ struct Sheet {
 };
 
 std::string csv_text(const Sheet&);
+
+/// Whether the name of a file asks for SQLite.
+bool is_sqlite(std::string_view file);
 
 /// A new database with a table for each sheet, and a table `notes` (sheet, key, value); written under another
 /// name, then renamed. IoError where it cannot be written.

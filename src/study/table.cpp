@@ -9,6 +9,7 @@
 #include "fit/unloading.hpp"
 #include "fit/wang.hpp"
 #include "press/curve_csv.hpp"
+#include "study/derived.hpp"
 #include "study/grid.hpp"
 
 #include <fmt/format.h>
@@ -190,6 +191,38 @@ std::vector<Found> find_runs(const Study& study, const Store& store) {
     found.push_back({std::move(key), state});
   }
   return found;
+}
+
+std::string nothing_done(const Store& store, const std::vector<Found>& found) {
+  const auto done = [](const Found& run) { return run.state == Store::State::done; };
+  if (std::ranges::any_of(found, done)) return "";
+  return fmt::format("no run of the study is done in {}", store.folder().string());
+}
+
+std::string damage(const Store& store, const std::vector<Found>& found) {
+  const auto damaged = [](const Found& run) { return run.state == Store::State::damaged; };
+  const auto first = std::ranges::find_if(found, damaged);
+  if (first == found.end()) return "";
+  return fmt::format("{} of {} runs are damaged and without numbers in the tables, the first: {}; "
+                     "`platen study run` presses them again",
+                     std::ranges::count_if(found, damaged), found.size(), store.damage(first->key));
+}
+
+Sheet design_sheet(const Study& study) {
+  Sheet sheet{"design",
+              {{"study", study.name}, {"kind", study.kind}, {"seed", std::to_string(study.seed)}},
+              {"run"},
+              {}};
+  for (const auto& factor : study.factors) sheet.columns.push_back(factor.name);
+  for (const auto& derived : derived_quantities()) sheet.columns.push_back(derived.name);
+  for (const auto& run : study.runs) {
+    Cells row = {static_cast<std::int64_t>(sheet.rows.size() + 1)};
+    for (const auto& input : run.inputs)
+      std::visit([&](const auto& level) { row.emplace_back(level); }, input);
+    for (const auto& derived : derived_quantities()) row.emplace_back(derived.of(run.press_case));
+    sheet.rows.push_back(std::move(row));
+  }
+  return sheet;
 }
 
 Sheet runs_sheet(const Study& study, const Store& store, const std::vector<Found>& found,

@@ -21,6 +21,14 @@ struct Found {
 /// Of each run of the study, its content verified.
 std::vector<Found> find_runs(const Study&, const Store&);
 
+/// A sentence where no run is done; empty otherwise.
+std::string nothing_done(const Store&, const std::vector<Found>&);
+/// A sentence about the runs that are damaged; empty where none is.
+std::string damage(const Store&, const std::vector<Found>&);
+
+/// The inputs of each run, and the derived quantities of its case.
+Sheet design_sheet(const Study&);
+
 /// One row a run, in the order of the design, the same for the same runs but for the columns cpu_s and
 /// wall_s, which are the last.
 Sheet runs_sheet(const Study&, const Store&, const std::vector<Found>&, std::string_view variant);

@@ -93,7 +93,9 @@ void press_all(std::vector<Task> tasks, Store& store, const Press& press) {
 int worker(const std::vector<Task>& tasks, Store& store, const Press& press, pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGTERM); // nobody presses on unseen when the program was killed
   if (::getppid() != parent) return 130;
-  (void)!::nice(10); // the machine may be somebody else's as well
+  (void)!::nice(10);                 // the machine may be somebody else's as well
+  core::ask_for_interrupts(nullptr); // signals are this process's own, whatever program it is a copy of
+  core::watch_for_interrupts();
   try {
     press_all(tasks, store, press);
     return 0;
@@ -130,13 +132,24 @@ const Tally& Census::take() {
 
 Tally tally(const Study& study, const Store& store) { return Census(study, store).take(); }
 
-void forget_damaged(const Study& study, Store& store) {
+void refuse_total_failure(const Study& study, const Store& store, const Tally& t) {
+  if (t.done > 0 || t.failures.empty()) return;
+  throw core::ConvergenceError(
+      fmt::format("every press of the study failed, the first with: {}; change the case or the factors of {} "
+                  "(a finer or coarser mesh, a shorter path, a material that can be pressed)",
+                  store.failure(t.failures.front()), study.file),
+      0, 0, 0);
+}
+
+std::vector<std::string> forget_damaged(const Study& study, Store& store) {
+  std::vector<std::string> said;
   for (const auto& run : study.runs) {
     const auto key = store.key(run.press_case);
     if (store.verified(key) != Store::State::damaged) continue;
     if (const auto what = store.forget_damaged(key); !what.empty())
-      core::say(fmt::format("note: {}; the run is pressed again\n", what));
+      said.push_back(fmt::format("{}; the run is pressed again", what));
   }
+  return said;
 }
 
 void work(const Study& study, Store& store, const Press& press) {

@@ -30,8 +30,11 @@ class Census {
 };
 Tally tally(const Study&, const Store&);
 
-/// Runs whose content is not what was written are named on standard error and forgotten.
-void forget_damaged(const Study&, Store&);
+/// ConvergenceError where every press failed.
+void refuse_total_failure(const Study&, const Store&, const Tally&);
+
+/// Forgets the runs whose content is not what was written; a sentence for each.
+std::vector<std::string> forget_damaged(const Study&, Store&);
 
 /// What presses: press::press, or something quick in its place.
 using Press = std::function<press::Result(const press::Case&, const press::Progress&)>;

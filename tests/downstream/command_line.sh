@@ -250,6 +250,19 @@ both=(hertz.toml hertz.toml)
 answers 0 'with type 1' "$platen" export lammps "${both[@]}" --radius 1e-4 2e-4 --density 636 1500
 answers 2 'once for each' "$platen" export lammps "${both[@]}" hertz.toml --radius 1e-4 2e-4 --density 636
 answers 2 'there is no such file' "$platen" export lammps missing.toml --radius 1e-4 --density 636
+answers 0 'use_platen' "$platen" export dem-engine hertz.toml --restitution 0.5 --friction 0.3 -o engine
+has engine/functions.cu
+has engine/model.cu
+has engine/platen_model.py
+answers 2 'restitution coefficient in (0, 1]' "$platen" export dem-engine hertz.toml --restitution 2 -o engine
+answers 2 'a coefficient of 0 or more' "$platen" export dem-engine hertz.toml --friction -1 -o engine
+answers 2 'E_Pa is missing' "$platen" export dem-engine hertz -o engine
+answers 2 '-o is required' "$platen" export dem-engine hertz.toml
+answers 0 'E_Pa = 1e+09, nu = 0.3, restitution = 1.000' "$platen" export parameters hertz.toml --radius 1e-3 --delta-bar 0.1
+answers 0 '"k_2_N_per_m"' "$platen" export parameters hertz.toml --radius 1e-3 --delta-bar 0.1 --json
+answers 2 'give --delta-bar' "$platen" export parameters hertz.toml --radius 1e-3
+answers 2 'a number in (0, 1]' "$platen" export parameters hertz.toml --radius 1e-3 --delta-bar 2
+answers 2 'positive number of metres' "$platen" export parameters hertz.toml --radius 0
 answers 2 'a table rises' "$platen" export table "${hertz[@]}" --overlap 2e-6:1e-6:3
 answers 2 'above 0' "$platen" export table "${hertz[@]}" --overlap 0:1e-6:3
 answers 2 '--overlap' "$platen" export table "${hertz[@]}"

@@ -53,7 +53,7 @@ def lammps(name, text, ranks=1, check=True, files=None):
     environment = dict(os.environ, OMP_NUM_THREADS="1", OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1",
                        OMPI_MCA_rmaps_base_oversubscribe="1")
     if ranks > 1:
-        command = ["mpirun", "-n", str(ranks), *command]
+        command = [os.environ.get("PLATEN_MPIRUN", "mpirun"), "-n", str(ranks), *command]
     done = subprocess.run(command, cwd=folder, env=environment, text=True, stdout=subprocess.PIPE,
                           stderr=subprocess.STDOUT, timeout=250)
     if check and done.returncode != 0:

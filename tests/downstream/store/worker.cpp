@@ -58,7 +58,8 @@ int main(int argc, char** argv) {
       pace = {std::chrono::milliseconds(std::stoi(argv[6])), std::chrono::milliseconds(std::stoi(argv[7]))};
     study::Store store(argv[2], study.name, pace);
     store.open_for_writing(study::OldRuns::ask);
-    study::forget_damaged(study, store);
+    for (const auto& what : study::forget_damaged(study, store))
+      std::fprintf(stderr, "note: %s\n", what.c_str());
     const std::chrono::milliseconds duration(std::stoi(argv[4]));
     study::work(
         study, store, std::stoi(argv[3]), [](const study::Tally&) {},

@@ -1,0 +1,1 @@
+#include "normal_model_platen.h"

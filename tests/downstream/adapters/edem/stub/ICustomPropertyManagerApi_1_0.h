@@ -1,0 +1,2 @@
+#pragma once
+#include "IPluginContactModelV3_3_0.h"
