@@ -67,7 +67,8 @@ Calibration by_surrogate(const std::vector<measure::Measurement>& measurements, 
   c.material = found(c, sought);
   const auto answer = surrogate_answer(sought.typical(), *c.material);
   c.card = with_fit(pressed_card(answer, *c.material), c.card);
-  const auto& [verdict, reasons, knots] = answer.assessment;
+  const auto verdict = answer.assessment.verdict;
+  const auto& reasons = answer.assessment.reasons;
   if (verdict != surrogate::Verdict::inside)
     c.doubts.push_back({verdict == surrogate::Verdict::outside,
                         fmt::format("the material found is {} of what was pressed (pool {}): {}; --press "

@@ -48,10 +48,10 @@ void refine_unloading(law::PressedMaterial& m) {
 
 } // namespace
 
-law::PressedMaterial curve_of(const LogCurve& c, const material::Material& material) {
+law::PressedMaterial curve_of(const LogCurve& c, const material::Material& material, double sigma_ref) {
   law::PressedMaterial m{material::initial_E(material.model),
                          material::initial_nu(material.model),
-                         material::reference_stress(material.model),
+                         sigma_ref,
                          c.delta_bar,
                          growing(exponentials(c.F), 2e-5),
                          growing(exponentials(c.a), 0),

@@ -32,6 +32,6 @@ struct LogCurve {
 /// Made to grow where it falls. Pools and presses unload from few overlaps, and the law is linear in their
 /// logarithms between them: off by 3 % in the stiffness of a metal halfway. Cubics through four neighbours
 /// say what lies between, and a little below.
-law::PressedMaterial curve_of(const LogCurve&, const material::Material&);
+law::PressedMaterial curve_of(const LogCurve&, const material::Material&, double sigma_ref);
 
 } // namespace platen::calibrate

@@ -165,7 +165,8 @@ Curves PressCurves::curves() const {
     const VectorXd by = local->coordinates(m) - local->z;
     if (by.size() > 0 && by.cwiseAbs().maxCoeff() > reach)
       throw core::InvalidInput("too far from what was pressed");
-    return curve_of(taken_apart(local->shape, local->centre + local->slopes * by + of_mesh * local->mesh), m);
+    return curve_of(taken_apart(local->shape, local->centre + local->slopes * by + of_mesh * local->mesh), m,
+                    material::reference_stress(m.model));
   };
   return {[at](const material::Material& m) { return at(m, 0); },
           [at](const material::Material& m) { return std::vector{at(m, 1)}; }};

@@ -42,7 +42,7 @@ law::PressedMaterial curve(const Surrogate& s, const Logarithms& l, const materi
   const auto half = l.unloading.begin() + static_cast<std::ptrdiff_t>(s.unload_delta_bar.size());
   return curve_of(
       {s.knots, l.F, l.a, s.unload_delta_bar, {l.unloading.begin(), half}, {half, l.unloading.end()}},
-      material);
+      material, describe(material.model).sigma_ref);
 }
 
 /// Standard deviation of a score; `wider`: of the band over what the processes would have.
