@@ -266,7 +266,7 @@ def test_fuzz_questions(pressed, name, ranges, value):
         return
 
 
-@quick
+@settings(quick, max_examples=60)
 @given(numbers, numbers, numbers)
 def test_fuzz_exports(law, radius, delta_bar, friction):
     for call in (lambda: law.to_parameters(radius=radius, delta_bar=delta_bar),

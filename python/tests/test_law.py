@@ -161,6 +161,9 @@ def test_texts_and_tables_are_those_of_the_command(law, command, tmp_path):
     theirs = run("table", "law.toml", "-p", "radius_m=1e-3", "--overlap", "1e-6:1e-5:3")
     ours = platen.Law.load("law.toml").to_table(np.linspace(1e-6, 1e-5, 3), radius=1e-3)
     assert [line for line in ours.splitlines() if line[0] != "#"] == [line for line in theirs.splitlines() if line[0] != "#"]
+    for overlap, sentence in (([], "at least one overlap"), ([1e9], "held constant"), ([np.inf], "held constant"), ([0], "above 0")):
+        with pytest.raises(platen.InvalidInput, match=sentence):
+            law.to_table(overlap, radius=1e-3)
     with pytest.raises(platen.InvalidInput, match="restitution"):
         law.to_dem_engine("ours", restitution=0)
 

@@ -263,6 +263,7 @@ answers 0 '"k_2_N_per_m"' "$platen" export parameters hertz.toml --radius 1e-3 -
 answers 2 'give --delta-bar' "$platen" export parameters hertz.toml --radius 1e-3
 answers 2 'a number in (0, 1]' "$platen" export parameters hertz.toml --radius 1e-3 --delta-bar 2
 answers 2 'positive number of metres' "$platen" export parameters hertz.toml --radius 0
+answers 2 'laws are held constant' "$platen" export table "${hertz[@]}" --overlap 1e-6:1e9:3
 answers 2 'a table rises' "$platen" export table "${hertz[@]}" --overlap 2e-6:1e-6:3
 answers 2 'above 0' "$platen" export table "${hertz[@]}" --overlap 0:1e-6:3
 answers 2 '--overlap' "$platen" export table "${hertz[@]}"
