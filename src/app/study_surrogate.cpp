@@ -15,7 +15,7 @@ namespace {
 
 struct Options {
   std::string pool, coarse, guide, output;
-  std::vector<std::string> beside;
+  std::vector<std::string> with, beside;
 };
 
 std::string row(const char* what, const surrogate::Quantiles& q) {
@@ -47,7 +47,8 @@ void print_beside(const surrogate::Surrogate& s, const surrogate::PoolData& othe
 }
 
 void make(const Options& o) {
-  const auto data = surrogate::read_pool_data(o.pool);
+  auto data = surrogate::read_pool_data(o.pool);
+  for (const auto& pool : o.with) surrogate::append(data, surrogate::read_pool_data(pool));
   std::optional<surrogate::PoolData> coarse, guide;
   if (!o.coarse.empty()) coarse = surrogate::read_pool_data(o.coarse);
   if (!o.guide.empty()) guide = surrogate::read_pool_data(o.guide);
@@ -80,6 +81,7 @@ void add_study_surrogate(Command study) {
   auto command = study.add_subcommand("surrogate", "interpolate a data pool, for `platen predict`");
   auto o = std::make_shared<Options>();
   command.add_option("POOL", o->pool, "folder with study.toml, runs.csv, curves.csv").required();
+  command.add_option("--with", o->with, "pools of other materials that were pressed alike").type_name("POOL");
   command.add_option("--coarse", o->coarse, "pool of the same study, and more of it, on fewer elements")
       .type_name("POOL");
   command

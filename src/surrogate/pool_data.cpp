@@ -109,4 +109,18 @@ PoolData read_pool_data(const fs::path& folder, Take take) {
   return data;
 }
 
+void append(PoolData& data, const PoolData& more) {
+  if (data.engine != more.engine || data.elements != more.elements || data.step_max != more.step_max ||
+      data.knots != more.knots || data.unload_delta_bar != more.unload_delta_bar ||
+      data.runs.front().description.model != more.runs.front().description.model)
+    throw core::InvalidInput(fmt::format(
+        "pools {} and {} differ in model, engine, mesh, or in where they load to and unload from: "
+        "a surrogate cannot be made of both",
+        data.name, more.name));
+  data.runs.insert(data.runs.end(), more.runs.begin(), more.runs.end());
+  data.asked += more.asked;
+  data.too_steep += more.too_steep;
+  data.locked += more.locked;
+}
+
 } // namespace platen::surrogate

@@ -51,4 +51,7 @@ enum class Take { usable, all };
 /// where it loads to and unloads from.
 PoolData read_pool_data(const std::filesystem::path& folder, Take = Take::usable);
 
+/// Adds the runs of a pool of other materials, pressed alike. InvalidInput where they were not.
+void append(PoolData& data, const PoolData& more);
+
 } // namespace platen::surrogate

@@ -80,7 +80,7 @@ Surrogate fit_surrogate(const Pools& pools) {
   s.unload_delta_bar = fine.unload_delta_bar;
   add_ranges(s, first);
   for (const auto& run : first.runs) {
-    s.runs.push_back(fine.name + "-" + std::to_string(run.run));
+    s.runs.push_back((coarse ? fine.name : run.pool) + "-" + std::to_string(run.run));
     s.numbers.emplace_back();
     for (const auto& number : run.description.numbers) s.numbers.back().push_back(number.value);
   }

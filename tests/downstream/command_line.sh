@@ -64,7 +64,7 @@ answers 2 '--sigma_y_Pa is required' "$platen" predict --E_Pa 1e9 --nu 0.3
 answers 2 'not both' "$platen" predict base-case --nu 0.3
 answers 2 'nu' "$platen" predict --E_Pa 1e9 --nu 0.6 --sigma_y_Pa 1e5
 answers 2 'no pool has drucker-prager materials' "$platen" predict wang-type-1
-answers 2 'no pool has metals that harden' "$platen" predict lead-ludwik
+answers 2 'nu = 0.435 is not in 0.2' "$platen" predict lead-ludwik
 answers 2 "did you mean 'pressed'?" "$platen" predict base-case --law presed
 
 # --- the command line ---
