@@ -73,12 +73,13 @@ const checkCommand = (line, where) => {
   ++commands
   if (!names.has(first)) return void faults.push(`${where}: there is no command platen ${first}`)
   const top = ask([first])
-  const inner = top.includes('\nSubcommands:') && second && /^[a-z]+$/.test(second) ? [first, second] : [first]
+  const inner = top.includes('\nSubcommands:') && second && /^[a-z][a-z-]*$/.test(second) ? [first, second] : [first]
   const text = ask(inner)
   if (!text || (inner.length === 2 && !top.match(new RegExp(`^  ${second} `, 'm')))) return void faults.push(`${where}: there is no command platen ${inner.join(' ')}`)
   for (const word of words.slice(inner.length)) {
     const option = word.replace(/^[["'(]+/, '').match(/^--?[A-Za-z][\w-]*/)?.[0]
-    if (option && !new RegExp(`(^|[\\s,])${option}(?![\\w-])`, 'm').test(text.split('\nExample')[0])) faults.push(`${where}: platen ${inner.join(' ')} has no option ${option}`)
+    // a value that carries its unit needs none in the name: --E "2 GPa" is --E_Pa
+    if (option && !new RegExp(`(^|[\\s,])${option}(_(Pa|m|N|s|m_per_N))?(?![\\w-])`, 'm').test(text.split('\nExample')[0])) faults.push(`${where}: platen ${inner.join(' ')} has no option ${option}`)
   }
 }
 const runs = new Set([...readFileSync(join(root, 'run'), 'utf8').matchAll(/^([a-z-]+)\) /gm)].map(m => m[1]))
