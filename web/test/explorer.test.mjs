@@ -186,6 +186,8 @@ test('dragging loads and unloads', async () => {
   await page.mouse.move(x, y);
   await page.mouse.down();
   await page.mouse.move(x + 60, y, { steps: 6 });
+  // The page leaves out places of the pointer that it has no time for; the farthest must be drawn.
+  await page.waitForFunction((there) => document.querySelector('.dot').getBoundingClientRect().x > there - 1, box.x + 60);
   await page.mouse.move(x + 58, y, { steps: 2 });
   await page.waitForFunction(() => [...document.querySelectorAll('#readout dd')].at(-1).textContent === 'unloading');
   await page.mouse.up();
