@@ -5,6 +5,8 @@
 
 #include <Eigen/Dense>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -43,8 +45,10 @@ std::vector<Numbers> starts(Workshop& workshop, const Samples& s) {
   for (const auto& [sum, g] : order)
     if (best.size() < tried) best.push_back(grid[g]);
   if (best.empty())
-    throw core::InvalidInput("the law has no material near these readings; are force, displacement and "
-                             "radius in the right units?");
+    throw core::InvalidInput(fmt::format(
+        "the law has no material near these readings; are force, displacement and radius in the "
+        "right units?{}",
+        task.astray ? " Or the pools do not reach there: --press calibrates through presses" : ""));
   return best;
 }
 
