@@ -1,10 +1,14 @@
 import os
 import pathlib
 import shutil
+import signal
 
 import pytest
 
 import platen
+
+# A shell that starts tests in the background ignores Ctrl-C for them; the tests of Ctrl-C want it.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 ROOT = pathlib.Path(__file__).parents[2]
 
