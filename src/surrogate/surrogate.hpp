@@ -7,8 +7,8 @@
 // these, and a second one of what the logarithms change from coarse to fine, in the materials that were
 // pressed on both. It is small and smooth, and few presses tell it.
 //
-// Where even that is not certain enough, a material may be pressed on very few elements first, its guide;
-// then the first layer is of what the logarithms change from there.
+// Where even that is not certain enough, a material is pressed on very few elements first, its guide; then
+// the first layer is of what the logarithms change from there.
 
 #include "surrogate/components.hpp"
 #include "surrogate/description.hpp"
