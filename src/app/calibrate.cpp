@@ -4,14 +4,14 @@
 #include "calibrate/ask.hpp"
 #include "calibrate/calibration.hpp"
 #include "calibrate/confined.hpp"
+#include "calibrate/confined_prediction.hpp"
+#include "calibrate/measured_picture.hpp"
+#include "calibrate/profile_picture.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/number.hpp"
 #include "core/say.hpp"
-#include "plot/confined_prediction.hpp"
 #include "plot/gnuplot.hpp"
-#include "plot/measured_picture.hpp"
-#include "plot/profile_picture.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -134,7 +134,7 @@ void write_confined(const calibrate::Calibration& c, const std::string& file) {
                   "confinement (docs/laws/{}.md)",
                   file, c.card.law, c.card.law));
   if (file.ends_with(".csv")) core::write_file(file, calibrate::confined_csv(curves));
-  else plot::confined_prediction(c, curves, file);
+  else calibrate::confined_prediction(c, curves, file);
 }
 
 void run_calibrate(Options o) {
@@ -146,8 +146,9 @@ void run_calibrate(Options o) {
   auto c = o.press ? calibrate::calibrate_material_by_presses(measurements, settings, core::say_line)
            : o.of_material() ? calibrate::calibrate_material(measurements, settings)
                              : calibrate::calibrate(measurements, settings);
-  if (!o.picture.empty()) plot::measured_picture(measurements, c, o.picture); // also of what is refused then
-  if (!o.profiles.empty()) plot::profile_picture(c, o.profiles);
+  if (!o.picture.empty())
+    calibrate::measured_picture(measurements, c, o.picture); // also of what is refused then
+  if (!o.profiles.empty()) calibrate::profile_picture(c, o.profiles);
   std::string words = words_of(c);
   std::vector<std::string> flags;
   try {

@@ -6,10 +6,10 @@ set -u
 cd "$1" || exit 1
 declare -A stands_on=(
   [core]='' [capi]='' [dem]='fit press fe material core' [material]=core [fe]='material core' [press]='fe material core'
-  [fit]='press fe material core' [measure]='fit press fe material core'
-  [calibrate]='surrogate study measure fit press fe material core' [study]='fit press fe material core'
-  [surrogate]='study fit press fe material core' [plot]='calibrate surrogate study measure fit press fe material core'
-  [reproduce]='plot calibrate surrogate study measure fit press fe material core'
+  [fit]='press fe material core' [plot]='fit press fe material core' [measure]='plot fit press fe material core'
+  [study]='fit press fe material core' [surrogate]='study fit press fe material core'
+  [calibrate]='surrogate study measure plot fit press fe material core'
+  [reproduce]='study plot fit press fe material core'
   [app]='reproduce plot calibrate surrogate study measure dem fit press fe material core')
 status=0
 for folder in src/*/; do

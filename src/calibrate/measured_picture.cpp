@@ -1,30 +1,33 @@
-#include "plot/measured_picture.hpp"
+#include "calibrate/measured_picture.hpp"
 
+#include "measure/raw_curves.hpp"
 #include "measure/stages.hpp"
 #include "plot/axes.hpp"
 #include "plot/gnuplot.hpp"
-#include "plot/raw_curves.hpp"
 
 #include <fmt/format.h>
 
 #include <numbers>
 
-namespace platen::plot {
+namespace platen::calibrate {
+
+using namespace plot;
+
 namespace {
 
 constexpr const char *law_colour = "#0072b2", *points_colour = "#8a949e"; // Okabe and Ito
 
 } // namespace
 
-void measured_picture(const std::vector<measure::Measurement>& measurements, const calibrate::Calibration& c,
+void measured_picture(const std::vector<measure::Measurement>& measurements, const Calibration& c,
                       const std::filesystem::path& file) {
   std::vector<measure::Stages> stages;
   std::vector<const measure::Specimen*> specimens;
   for (const auto& m : measurements)
     for (const auto& s : m.specimens) specimens.push_back(&s), stages.push_back(measure::stages_of(s));
-  std::vector<Staged> particles;
+  std::vector<measure::Staged> particles;
   for (std::size_t k = 0; k < specimens.size(); ++k) particles.push_back({specimens[k], &stages[k]});
-  const auto panel = raw_panel(particles);
+  const auto panel = measure::raw_panel(particles);
   std::string points, law;
   for (const auto& p : c.particles) {
     const auto& s = p.samples;
@@ -37,8 +40,9 @@ void measured_picture(const std::vector<measure::Measurement>& measurements, con
     points += "\n", law += "\n";
   }
   const std::string script =
-      terminal(file, 1100, 520) + panel.data + data_block("points", points) + data_block("law", law) +
-      panel_style() + "set multiplot layout 1,2\n" + panel.commands +
+      terminal(file, 1100, 520) + panel.data + measure::data_block("points", points) +
+      measure::data_block("law", law) + measure::panel_style() + "set multiplot layout 1,2\n" +
+      panel.commands +
       fmt::format("set title {1} noenhanced tc rgb '{0}'\nset xlabel 'overlap  δ/R' tc rgb '{0}'\n"
                   "set ylabel 'F/(πR²)  (MPa)' tc rgb '{0}'\n"
                   "plot $points with points pt 7 ps 0.5 lc rgb '{2}' title 'corrected', "
@@ -51,4 +55,4 @@ void measured_picture(const std::vector<measure::Measurement>& measurements, con
   run_gnuplot(script, file);
 }
 
-} // namespace platen::plot
+} // namespace platen::calibrate

@@ -1,20 +1,23 @@
-#include "plot/import_picture.hpp"
+#include "measure/import_picture.hpp"
 
+#include "measure/raw_curves.hpp"
 #include "plot/axes.hpp"
 #include "plot/gnuplot.hpp"
-#include "plot/raw_curves.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numbers>
 
-namespace platen::plot {
+namespace platen::measure {
+
+using namespace plot;
+
 namespace {
 
 /// A line each, in the corner of the panel.
-std::string corrections(const measure::Measurement& m, const std::vector<measure::Stages>& stages,
-                        const measure::Machine& machine) {
+std::string corrections(const Measurement& m, const std::vector<measure::Stages>& stages,
+                        const Machine& machine) {
   std::vector<std::string> words;
   double most = 0;
   for (const auto& s : m.specimens) most = std::max(most, *std::ranges::max_element(s.force_N));
@@ -38,8 +41,8 @@ std::string corrections(const measure::Measurement& m, const std::vector<measure
 
 } // namespace
 
-void import_picture(const measure::Measurement& m, const std::vector<measure::Stages>& stages,
-                    const measure::Machine& machine, const std::filesystem::path& file) {
+void import_picture(const Measurement& m, const std::vector<measure::Stages>& stages, const Machine& machine,
+                    const std::filesystem::path& file) {
   std::vector<Staged> particles;
   bool sized = true;
   for (std::size_t k = 0; k < m.specimens.size(); ++k) {
@@ -62,8 +65,8 @@ void import_picture(const measure::Measurement& m, const std::vector<measure::St
     }
     points += "\n";
   }
-  const Unit unit =
-      sized ? Unit{"MPa", 1} : unit_for(force_most, {{"kN", 1e3}, {"N", 1}, {"mN", 1e-3}, {"µN", 1e-6}});
+  const plot::Unit unit = sized ? plot::Unit{"MPa", 1}
+                                : unit_for(force_most, {{"kN", 1e3}, {"N", 1}, {"mN", 1e-3}, {"µN", 1e-6}});
   const std::string script =
       terminal(file, 1100, 520) + panel.data + data_block("points", points) + panel_style() +
       "set multiplot layout 1,2\n" + panel.commands + corrections(m, stages, machine) +
@@ -76,4 +79,4 @@ void import_picture(const measure::Measurement& m, const std::vector<measure::St
   run_gnuplot(script, file);
 }
 
-} // namespace platen::plot
+} // namespace platen::measure

@@ -1,4 +1,4 @@
-#include "plot/raw_curves.hpp"
+#include "measure/raw_curves.hpp"
 
 #include "plot/axes.hpp"
 
@@ -7,7 +7,10 @@
 #include <algorithm>
 #include <array>
 
-namespace platen::plot {
+namespace platen::measure {
+
+using namespace plot;
+
 namespace {
 
 /// Okabe and Ito; in the order of the stages, unloading and reloading alike.
@@ -19,8 +22,7 @@ constexpr std::array kinds = {Kind{"before", "#8a949e", "before contact"},
                               Kind{"back", "#009e73", "unloading, reloading"},
                               Kind{"cut", "#d55e00", "broken: kept out"}};
 
-std::size_t kind_of(measure::Stage stage) {
-  using measure::Stage;
+std::size_t kind_of(Stage stage) {
   switch (stage) {
   case Stage::approach:
     return 0;
@@ -71,7 +73,7 @@ RawPanel raw_panel(const std::vector<Staged>& particles) {
     }
     rows[last] += "\n"; // lines of particles are not joined
   }
-  const Unit force = unit_for(force_most, {{"kN", 1e3}, {"N", 1}, {"mN", 1e-3}, {"µN", 1e-6}});
+  const plot::Unit force = unit_for(force_most, {{"kN", 1e3}, {"N", 1}, {"mN", 1e-3}, {"µN", 1e-6}});
   RawPanel panel;
   panel.commands = fmt::format("set title 'as measured' tc rgb '{0}'\n"
                                "set xlabel 'travel, sign turned where it was  (µm)' tc rgb '{0}'\n"
@@ -90,4 +92,4 @@ RawPanel raw_panel(const std::vector<Staged>& particles) {
   return panel;
 }
 
-} // namespace platen::plot
+} // namespace platen::measure
