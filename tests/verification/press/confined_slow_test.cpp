@@ -105,7 +105,7 @@ TEST(ConfinedPress, BeyondZeroPorosityTheCellIsAsStiffAsTheMaterial) {
       slope = next;
     }
     EXPECT_NEAR(slope, 1, 0.03) << experiment;
-    EXPECT_GT(result.curve.points.back().mesh_quality, 0.05);
+    EXPECT_GT(result.curve.points.back().mesh_quality, 0.05) << experiment;
   }
 }
 
