@@ -1,5 +1,5 @@
 #!/bin/bash
-# fields.sh PROGRAM PYTHON: the fields of a press as another program reads them. Exit 77 where meshio is missing.
+# fields.sh PROGRAM PYTHON: the fields of a press as other programs read them. Exit 77 where meshio is missing.
 set -eu
 platen=$1
 "$2" -c 'import meshio' 2>/dev/null || { echo 'python3-meshio is not installed'; exit 77; }
@@ -58,3 +58,12 @@ for moment in series:
     print(f"delta_bar = {delta_bar}: {len(cells.data)} cells, mass {mass:.4f}, force {force / wanted:.4f} of the curve's")
     assert abs(force / wanted - 1) < 0.01
 PYTHON
+
+# the picture of ParaView, where it is
+if command -v pvbatch >/dev/null && command -v xvfb-run >/dev/null; then
+  look=$(dirname "$0")/../../examples/look-inside.py
+  for field in zone rho_r; do
+    xvfb-run -a pvbatch "$look" "$folder/out" "$folder/$field.png" "$field" >"$folder/log" 2>&1 || { cat "$folder/log"; exit 1; }
+    [ "$(stat -c %s "$folder/$field.png")" -gt 20000 ] || { echo "the picture of $field is empty"; exit 1; }
+  done
+fi
