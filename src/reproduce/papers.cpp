@@ -2,6 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/nearest.hpp"
+#include "reproduce/shahin.hpp"
 
 #include <fmt/format.h>
 
@@ -25,14 +26,18 @@ void append(std::vector<Row>& rows, std::vector<Row> more) {
 } // namespace
 
 Paper paper_rows(const std::string& name, const Data& data) {
-  if (name == "edmans-sinka")
-    return {name,
-            "Edmans & Sinka: Numerical derivation of a normal contact law for compressible plastic particles",
-            "F̄ = F/(πR₀²σ_y), δ̄ = δ/R₀; Ē₀, Γ̄₀, Λ̄₀: stiffness, shear and tensile strength over the "
-            "hydrostatic yield stress.",
-            "Figs 3 and 5 (mesh, scheme) and Tables 1, 2, 4, 5, 6 (symbols, formulas, inputs) hold no "
-            "result; the inputs are cards and tables of the catalogue.",
-            edmans_sinka_rows(data)};
+  if (name == "edmans-sinka") {
+    Paper paper{
+        name,
+        "Edmans & Sinka: Numerical derivation of a normal contact law for compressible plastic particles",
+        "F̄ = F/(πR₀²σ_y), δ̄ = δ/R₀; Ē₀, Γ̄₀, Λ̄₀: stiffness, shear and tensile strength over the "
+        "hydrostatic yield stress.",
+        "Figs 3 and 5 (mesh, scheme) and Tables 1, 2, 4, 5, 6 (symbols, formulas, inputs) hold no "
+        "result; the inputs are cards and tables of the catalogue.",
+        edmans_sinka_model_rows(data)};
+    append(paper.rows, edmans_sinka_law_rows(data));
+    return paper;
+  }
   if (name == "wang")
     return {name,
             "Wang, Li, Yang, Huang & Zhou (2018): A simple model for elastic-plastic contact of granular "
@@ -48,8 +53,10 @@ Paper paper_rows(const std::string& name, const Data& data) {
                 "πR²σ_y (πR²κ), where the thesis has σ_yR² in some figures.",
                 "Figs 2.2, 2.5, 2.7, 2.8, 2.24, B.1 (schemes, mesh) and Tables 2.1, 2.3, 3.2, 3.3, A.1, E.1 "
                 "(bounds, formulas, inputs) hold no result.",
-                shahin_plastic_rows(data)};
-    append(paper.rows, shahin_hardening_rows(data));
+                lead_rows(data)};
+    for (const auto rows :
+         {raw_rows, coefficient_rows, plastic_law_rows, side_rows, coefficient_tables, shahin_hardening_rows})
+      append(paper.rows, rows(data));
     return paper;
   }
   refuse(name);

@@ -27,10 +27,10 @@ std::vector<std::string> paper_names();
 /// InvalidInput for an unknown name and for what the catalogue lacks.
 Paper paper_rows(const std::string& name, const Data&);
 
-std::vector<Row> edmans_sinka_rows(const Data&);
+std::vector<Row> edmans_sinka_model_rows(const Data&); ///< section 4: models, zones
+std::vector<Row> edmans_sinka_law_rows(const Data&);   ///< sections 5, 6, appendix A: the law
 std::vector<Row> wang_rows(const Data&);
-std::vector<Row> shahin_plastic_rows(const Data&);   ///< chapter 2, appendix C
-std::vector<Row> shahin_hardening_rows(const Data&); ///< chapter 3
+std::vector<Row> shahin_hardening_rows(const Data&); ///< chapter 3; of chapter 2: shahin.hpp
 
 /// Pools and presses, by name, that the rows of a paper are made of.
 struct Sources {
