@@ -59,11 +59,14 @@ for moment in series:
     assert abs(force / wanted - 1) < 0.01
 PYTHON
 
-# the picture of ParaView, where it is
-if command -v pvbatch >/dev/null && command -v xvfb-run >/dev/null; then
-  look=$(dirname "$0")/../../examples/look-inside.py
-  for field in zone rho_r; do
-    xvfb-run -a pvbatch "$look" "$folder/out" "$folder/$field.png" "$field" >"$folder/log" 2>&1 || { cat "$folder/log"; exit 1; }
-    [ "$(stat -c %s "$folder/$field.png")" -gt 20000 ] || { echo "the picture of $field is empty"; exit 1; }
-  done
-fi
+# the picture of ParaView, where it is, and a display for it
+look=$(dirname "$0")/../../examples/look-inside.py
+command -v pvbatch >/dev/null && command -v xvfb-run >/dev/null || exit 0
+for field in zone rho_r; do
+  if ! xvfb-run -a pvbatch "$look" "$folder/out" "$folder/$field.png" "$field" >"$folder/log" 2>&1; then
+    grep -q 'bad X server' "$folder/log" && { echo 'there is no display for ParaView'; exit 0; }
+    cat "$folder/log"
+    exit 1
+  fi
+  [ "$(stat -c %s "$folder/$field.png")" -gt 20000 ] || { echo "the picture of $field is empty"; exit 1; }
+done
