@@ -3,7 +3,7 @@
 # Usage: docs/laws/which-law.sh PLATEN_PROGRAM [ELEMENTS]
 set -eu
 platen=$(realpath "$1")
-elements=${2:-1000}
+elements=${2:-2500}
 cd "$(dirname "$0")"
 export OPENBLAS_NUM_THREADS=1
 work=$(mktemp -d)
@@ -67,6 +67,8 @@ compare() { # NAME MATERIAL RANGES NU CALIBRATE_AT WORDS_OF_-p LAWS...
   "$platen" fit "$name.csv" --law edmans-sinka -o "$name-fit.toml" > log 2>&1 || { cat log >&2; exit 3; }
   springs "$name" "$at" "$nu" > calibrated
   set -- "$@" "$name-fit.toml,label=edmans-sinka (fitted here)" "$(sed -n 1p calibrated)" "$(sed -n 2p calibrated)"
+  "$platen" predict "$material" -o "$name-predicted.toml" > log 2>&1 &&
+    set -- "$@" "$name-predicted.toml,label=pressed (predicted)"
   # shellcheck disable=SC2086
   "$platen" compare "$name.csv" "$@" --material "$material" $common --ranges "$ranges" -o "$name.svg" --table table 2> log ||
     { cat log >&2; exit 3; }
