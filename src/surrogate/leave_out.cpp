@@ -15,9 +15,6 @@ double quantile(std::vector<double> values, double share) {
   const auto above = std::min(below + 1, values.size() - 1);
   return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
 }
-Quantiles quantiles(const std::vector<double>& values) {
-  return {quantile(values, 0.5), quantile(values, 0.95), quantile(values, 1)};
-}
 
 /// A layer with the numbers that it was made of, and where each of the materials asked for stands in them.
 struct Term {
@@ -74,12 +71,23 @@ std::vector<Errors> errors_of(const Pools& pools, const std::vector<std::size_t>
 
 } // namespace
 
-std::vector<Errors> leave_out(const Surrogate& s, const Pools& pools) {
+Quantiles quantiles(const std::vector<double>& values) {
+  return {quantile(values, 0.5), quantile(values, 0.95), quantile(values, 1)};
+}
+
+std::vector<Said> said_left_out(const Surrogate& s, const Pools& pools, std::vector<std::size_t>* which) {
   std::vector<std::size_t> fine;
   const auto terms = terms_of(s, pools, fine);
   std::vector<Said> said(fine.size());
   add_left_out(said, terms, false);
   add_left_out(said, terms, true);
+  if (which) *which = std::move(fine);
+  return said;
+}
+
+std::vector<Errors> leave_out(const Surrogate& s, const Pools& pools) {
+  std::vector<std::size_t> fine;
+  const auto said = said_left_out(s, pools, &fine);
   return errors_of(pools, fine, said);
 }
 

@@ -19,6 +19,8 @@ std::vector<double> logarithms(std::vector<double> values);
 std::vector<double> exponentials(const std::vector<double>& values, std::size_t from, std::size_t count);
 
 Said said_of(const Surrogate& s, const Description& d, const Loading* guide);
+/// Of each fine material, left out of all layers; `which`: their numbers in the fine pool.
+std::vector<Said> said_left_out(const Surrogate&, const Pools&, std::vector<std::size_t>* which = nullptr);
 Errors errors_of(const PoolData& data, const Pressed& run, const Said& said);
 
 /// Relative L2, up to each overlap, of a curve whose logarithm has these variances.

@@ -38,6 +38,7 @@ struct Loading {
 struct Quantiles {
   double median = 0, p95 = 0, worst = 0;
 };
+Quantiles quantiles(const std::vector<double>&);
 struct LeaveOneOut {
   int materials = 0, locked = 0; ///< of all, those that are said to lock are not counted in what follows
   Quantiles force;               ///< relative L2 of F over the loading

@@ -63,7 +63,10 @@ answers 0 'warning: extrapolated' "$platen" predict --E_Pa 1e9 --nu 0.3 --sigma_
 answers 2 '--sigma_y_Pa is required' "$platen" predict --E_Pa 1e9 --nu 0.3
 answers 2 'not both' "$platen" predict base-case --nu 0.3
 answers 2 'nu' "$platen" predict --E_Pa 1e9 --nu 0.6 --sigma_y_Pa 1e5
-answers 2 'no pool has drucker-prager materials' "$platen" predict wang-type-1
+answers 0 'law wang from 162 grains' "$platen" predict wang-type-1 -o rock.toml
+answers 0 'variant = "fitted"' cat rock.toml
+answers 2 'it is wang that is predicted' "$platen" predict wang-type-1 --law pressed -o rock.toml
+answers 2 'nu = 0.38 is not in 0.1 to 0.3' "$platen" predict sandstone-wang-3-4 -o outside.toml
 answers 2 'nu = 0.435 is not in 0.2' "$platen" predict lead-ludwik
 answers 2 "did you mean 'pressed'?" "$platen" predict base-case --law presed
 
