@@ -78,8 +78,10 @@ void make(const Options& o) {
              coarse ? fmt::format(", {} on the mesh of {}", s.runs.size(), coarse->name) : "",
              s.layers.front().inputs.dimensions, file.string());
   for (const auto& layer : s.layers)
-    fmt::print("  components: {} of the force, {} of the radius, {} of the unloadings\n",
-               layer.force.basis.size(), layer.radius.basis.size(), layer.unloading.basis.size());
+    fmt::print(
+        "  components: {} of the force, {} of the radius, {} of the work given back, {} of its exponents\n",
+        layer.force.basis.size(), layer.radius.basis.size(), layer.work.basis.size(),
+        layer.exponent.basis.size());
   const auto& first = coarse ? *coarse : data;
   if (first.too_steep + first.locked > 0)
     fmt::print("  left aside: {} that unload too steeply for alpha and beta to be fitted, {} that lock\n",

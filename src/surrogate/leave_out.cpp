@@ -27,8 +27,12 @@ struct Term {
 void add_left_out(std::vector<Said>& said, const std::vector<Term>& terms, bool unloadings) {
   for (const auto& [layer, tables, rows] : terms) {
     if (unloadings) {
-      const Crossed u = cross(layer.unloading, tables.unloading, layer.inputs);
-      for (std::size_t i = 0; i < said.size(); ++i) add(said[i].unloading, u.mean[rows[i]]);
+      const Crossed work = cross(layer.work, tables.work, layer.inputs),
+                    exponent = cross(layer.exponent, tables.exponent, layer.inputs);
+      for (std::size_t i = 0; i < said.size(); ++i) {
+        add(said[i].work, work.mean[rows[i]]);
+        add(said[i].exponent, exponent.mean[rows[i]]);
+      }
       continue;
     }
     const Crossed F = cross(layer.force, tables.force, layer.inputs),
@@ -108,7 +112,7 @@ std::vector<Errors> leave_out_guided(const Surrogate& s, const Pools& pools) {
     changes.rows.push_back(static_cast<std::size_t>(found - both.begin()));
     kept_fine.push_back(fine[i]);
     for (std::size_t l = 0; l < 2; ++l) kept[l].push_back(terms[l].rows[i]);
-    said.push_back({guides.force[found->coarse], {}, guides.radius[found->coarse], {}});
+    said.push_back({guides.force[found->coarse], {}, guides.radius[found->coarse], {}, {}});
   }
   for (std::size_t l = 0; l < 2; ++l) unguided[l].rows = kept[l];
   add_left_out(said, unguided, true);

@@ -72,9 +72,12 @@ Granules granules_of(const Surrogate& s, const PoolData& data) {
 
 /// Only what a method says; the rest is as it was pressed.
 Said pressed_said(const Pressed& run) {
-  Said said{logarithms(run.F_bar), std::vector<double>(run.F_bar.size(), 1), logarithms(run.a_bar),
+  Said said{logarithms(run.F_bar),
+            std::vector<double>(run.F_bar.size(), 1),
+            logarithms(run.a_bar),
+            {},
             logarithms(run.alpha)};
-  for (const double beta : run.beta) said.unloading.push_back(std::log(beta));
+  for (std::size_t b = 0; b < run.beta.size(); ++b) said.work.push_back(work_of(run.alpha[b], run.beta[b]));
   return said;
 }
 
@@ -212,14 +215,16 @@ std::vector<std::optional<Said>> by_natural_neighbours(const Granules& g) {
     said.emplace_back();
     if (shares.empty()) continue;
     said.back() = pressed_said(g.run(i));
-    std::vector<double> F(said.back()->F.size()), unloading(said.back()->unloading.size());
+    for (const auto values : {&Said::F, &Said::work, &Said::exponent}) {
+      auto& sum = (*said.back()).*values;
+      std::fill(sum.begin(), sum.end(), 0);
+    }
     for (const auto& [site, share] : shares) {
       const Said there = pressed_said(g.run(which[site]));
-      for (std::size_t j = 0; j < F.size(); ++j) F[j] += share * there.F[j];
-      for (std::size_t j = 0; j < unloading.size(); ++j) unloading[j] += share * there.unloading[j];
+      for (const auto values : {&Said::F, &Said::work, &Said::exponent})
+        for (std::size_t j = 0; j < (there.*values).size(); ++j)
+          ((*said.back()).*values)[j] += share * (there.*values)[j];
     }
-    said.back()->F = F;
-    said.back()->unloading = unloading;
   }
   return said;
 }
@@ -253,21 +258,21 @@ void compare_unloading(const Granules& g, const std::vector<Said>& by_surrogate,
     methods.forms.push_back(std::move(form));
     out[k] = regression_left_out(some, y, groups);
   }
-  const auto with_unloading = [&](std::size_t i, const std::vector<double>& unloading) {
-    Said said = pressed_said(g.run(i));
-    said.unloading = unloading;
-    return std::optional(said);
-  };
   methods.unloading.push_back(method("closed form over delta_bar, E_bar/Gamma_bar", g, [&](std::size_t i) {
-    std::vector<double> unloading;
-    for (std::size_t k = 0; k < 2; ++k)
-      for (std::size_t b = 0; b < branches; ++b) unloading.push_back(out[k][branches * i + b]);
-    return with_unloading(i, unloading);
+    Said said = pressed_said(g.run(i));
+    for (std::size_t b = 0; b < branches; ++b) {
+      said.exponent[b] = out[0][branches * i + b];
+      said.work[b] = work_of(std::exp(said.exponent[b]), std::exp(out[1][branches * i + b]));
+    }
+    return std::optional(said);
   }));
   methods.unloading.push_back(method("the form (13), fitted to each branch", g,
                                      [&](std::size_t i) { return pressed_said(g.run(i)); }));
-  methods.unloading.push_back(
-      method("surrogate", g, [&](std::size_t i) { return with_unloading(i, by_surrogate[i].unloading); }));
+  methods.unloading.push_back(method("surrogate", g, [&](std::size_t i) {
+    Said said = pressed_said(g.run(i));
+    said.work = by_surrogate[i].work, said.exponent = by_surrogate[i].exponent;
+    return std::optional(said);
+  }));
 }
 
 } // namespace
@@ -286,14 +291,14 @@ Methods methods_side_by_side(const Surrogate& s, const PoolData& data) {
       if (!neighbours[i]) return {};
       Said said = *neighbours[i];
       const Said truth = pressed_said(g.run(i));
-      if (loading) said.unloading = truth.unloading;
+      if (loading) said.work = truth.work, said.exponent = truth.exponent;
       else said.F = truth.F;
       return said;
     };
   };
   methods.loading.insert(methods.loading.end() - 1, method("natural neighbours of the curve", g, nn(true)));
   methods.unloading.insert(methods.unloading.end() - 1,
-                           method("natural neighbours of alpha and beta", g, nn(false)));
+                           method("natural neighbours of work and alpha", g, nn(false)));
   return methods;
 }
 

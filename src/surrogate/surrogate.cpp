@@ -44,7 +44,8 @@ Layer fit_layer(const Surrogate& s, const Tables& tables, const std::vector<cons
   }
   for (const auto& [table, components] : {std::pair{&tables.force, &layer.force},
                                           {&tables.radius, &layer.radius},
-                                          {&tables.unloading, &layer.unloading}}) {
+                                          {&tables.work, &layer.work},
+                                          {&tables.exponent, &layer.exponent}}) {
     Reduced reduced = reduce(*table);
     *components = std::move(reduced.components);
     for (const auto& scores : reduced.scores)

@@ -1,6 +1,6 @@
 #pragma once
 // A surrogate: what a data pool says of materials between those that were pressed. Logarithms of force and
-// contact radius at the knots, and of alpha and beta of the unloadings, are reduced to a few principal
+// contact radius at the knots, and of work and alpha of the unloadings, are reduced to a few principal
 // components, and each of these is a Gaussian process over the coordinates of the material.
 //
 // Where presses are dear, most are made on a coarse mesh (Kennedy & O'Hagan 2000): the first layer is of
@@ -25,7 +25,7 @@ namespace platen::surrogate {
 /// One sum of components for each quantity.
 struct Layer {
   Inputs inputs; ///< in [0, 1]
-  Components force, radius, unloading;
+  Components force, radius, work, exponent;
 };
 
 /// Force and contact radius at the knots.

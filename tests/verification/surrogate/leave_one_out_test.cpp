@@ -75,11 +75,15 @@ TEST(LeaveOneOut, OfPowders) {
   const auto quick = summary_of(leave_out(s, {fine, &coarse, &guide}), s.band);
   EXPECT_LT(quick.force.median, 0.025);
   EXPECT_LT(quick.radius.median, 0.01);
+  EXPECT_LT(quick.work.median, 0.033);
+  EXPECT_LT(quick.work.p95, 0.19);
   expect_same(quick, s.left_out);
   const auto guided = summary_of(leave_out_guided(s, {fine, &coarse, &guide}), s.guide->band);
   EXPECT_LT(guided.force.median, 0.011);
   EXPECT_LT(guided.force.p95, 0.04);
   EXPECT_LT(guided.radius.p95, 0.03);
+  EXPECT_LT(guided.work.median, 0.026);
+  EXPECT_LT(guided.work.p95, 0.14);
   expect_same(guided, s.guide->left_out);
 }
 
