@@ -31,7 +31,8 @@ std::vector<double> exponentials(const std::vector<double>& values, std::size_t 
 
 Said said_of(const Surrogate& s, const Description& d, const Loading* guide);
 /// Of each fine material, left out of all layers; `which`: their numbers in the fine pool.
-std::vector<Said> said_left_out(const Surrogate&, const Pools&, std::vector<std::size_t>* which = nullptr);
+std::vector<Said> said_left_out(const Surrogate&, const Pools&, std::vector<std::size_t>* which = nullptr,
+                                Left = Left::closed_form);
 Errors errors_of(const PoolData& data, const Pressed& run, const Said& said);
 
 /// Relative L2, up to each overlap, of a curve whose logarithm has these variances.

@@ -100,11 +100,14 @@ struct Errors {
   double expected = 0;
   bool locks = false; ///< by what is said
 };
-/// Of each of the fine materials, left out of all layers in turn: components, lengths and so on as they are
-/// (closed form). The pools must be the surrogate's.
-std::vector<Errors> leave_out(const Surrogate&, const Pools&);
+/// How a material is left out. closed_form: components, lengths and so on as they are, made with it. anew:
+/// those of the finest layer's force are made without a tenth of the materials at a time, so that they say
+/// nothing of them; what the closed form thinks it knows is too good.
+enum class Left { closed_form, anew };
+/// Of each of the fine materials, left out of all layers in turn. The pools must be the surrogate's.
+std::vector<Errors> leave_out(const Surrogate&, const Pools&, Left = Left::closed_form);
 /// The same, each with its guide.
-std::vector<Errors> leave_out_guided(const Surrogate&, const Pools&);
+std::vector<Errors> leave_out_guided(const Surrogate&, const Pools&, Left = Left::closed_form);
 /// Of each material of a pool that the surrogate was not made of, unloaded from the same overlaps.
 std::vector<Errors> errors_beside(const Surrogate&, const PoolData&, bool guided = false);
 /// The number of standard deviations that nine tenths of the errors at knots lie within.
