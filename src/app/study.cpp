@@ -2,6 +2,7 @@
 #include "app/study_check.hpp"
 #include "app/study_design.hpp"
 #include "app/study_methods.hpp"
+#include "app/study_refine.hpp"
 #include "app/study_sobol.hpp"
 #include "app/study_surrogate.hpp"
 #include "core/error.hpp"
@@ -186,6 +187,7 @@ void add_study(Command program) {
   add_study_check(command);
   add_study_surrogate(command);
   add_study_methods(command);
+  add_study_refine(command);
   add_study_sobol(command);
   command.footer("Example: platen study run examples/study.toml");
 }

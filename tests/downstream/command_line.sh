@@ -48,6 +48,26 @@ for command in materials point press fit derive import calibrate compaction conv
 for command in design run status export submit merge check surrogate; do answers 0 'Example:' "$platen" study $command --help; done
 answers 0 '| `only` |' "$platen" study design --keys
 answers 2 'STUDY.toml is required' "$platen" study design
+cat >candidates.toml <<'CARD'
+platen = 1
+name = "candidates"
+case = { platen = 1, experiment = "simple", material = "von-mises-100", radius_m = 1e-3 }
+[design]
+kind = "latin-hypercube"
+runs = 40
+[factors]
+"material.E_bar" = { min = 3, max = 2000, scale = "log" }
+[fit]
+laws = ["edmans-sinka"]
+CARD
+answers 0 '3 presses' "$platen" study refine candidates.toml --surrogate "$catalogue/pools/von-mises" --target 1e-5 --most 3
+answers 0 'candidates-refined .* 3  table' "$platen" study design candidates-refined.toml
+answers 0 'nothing to press' "$platen" study refine candidates.toml --surrogate "$catalogue/pools/von-mises" --target 0.05
+answers 2 'the surrogate of vmdc' "$platen" study refine candidates.toml --surrogate "$catalogue/pools/powders"
+answers 2 'that is the study itself' "$platen" study refine candidates.toml --surrogate "$catalogue/pools/von-mises" --target 1e-5 -o candidates.toml
+answers 0 'Gamma_bar' "$platen" study sobol base-case --within 0.1 -o sobol.svg
+has sobol.svg
+answers 2 'is in the ranges of no pool' "$platen" study sobol dical-emcompress
 answers 0 'mcc-ph-200' "$platen" materials
 answers 0 'sigma_y_Pa' "$platen" materials mcc-ph-200
 answers 0 '"model": "vmdc"' "$platen" materials mcc-ph-200 --json
