@@ -7,6 +7,7 @@
 #include "material/card.hpp"
 #include "surrogate/predict_law.hpp"
 #include "surrogate/rock.hpp"
+#include "surrogate/yield_from.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -20,12 +21,39 @@ namespace {
 
 struct Options {
   std::string material, output = "law.toml", law, variant = "published";
-  std::optional<double> E_Pa, nu, sigma_y_Pa;
+  std::optional<double> E_Pa, nu, sigma_y_Pa, hardness_Pa, crush_force_N, crush_overlap_m, radius_m;
   bool quick = false, extrapolate = false, json = false;
 };
 
+/// As it is, or from what is known instead.
+double yield_stress_of(const Options& o) {
+  if (o.hardness_Pa) {
+    const double sigma_y = surrogate::yield_from_hardness(*o.E_Pa, *o.nu, *o.hardness_Pa);
+    core::say_line(fmt::format(
+        "note: sigma_y = hardness/2.8 = {:.4g} Pa (Tabor: the indentation is fully plastic, and nothing "
+        "hardens)",
+        sigma_y));
+    return sigma_y;
+  }
+  if (o.crush_force_N || o.crush_overlap_m || o.radius_m) {
+    for (const auto& [name, value] : {std::pair{"--crush_force_N", o.crush_force_N},
+                                      {"--crush_overlap_m", o.crush_overlap_m},
+                                      {"--radius_m", o.radius_m}})
+      if (!value) refuse_missing(name);
+    const double sigma_y =
+        surrogate::yield_from_crushing(*o.E_Pa, *o.nu, *o.crush_force_N, *o.crush_overlap_m, *o.radius_m);
+    core::say_line(fmt::format(
+        "note: sigma_y = {:.4g} Pa, for the sphere to carry {:.4g} N there (perfectly plastic, not broken)",
+        sigma_y, *o.crush_force_N));
+    return sigma_y;
+  }
+  if (!o.sigma_y_Pa) refuse_missing("--sigma_y_Pa");
+  return *o.sigma_y_Pa;
+}
+
 material::Material material_of(const Options& o) {
-  const bool flags = o.E_Pa || o.nu || o.sigma_y_Pa;
+  const bool crushing = o.crush_force_N || o.crush_overlap_m || o.radius_m;
+  const bool flags = o.E_Pa || o.nu || o.sigma_y_Pa || o.hardness_Pa || crushing;
   if (flags && !o.material.empty())
     throw core::InvalidInput(
         fmt::format("{}: give a material, or --E_Pa, --nu and --sigma_y_Pa, not both", o.material));
@@ -33,14 +61,18 @@ material::Material material_of(const Options& o) {
     if (o.material.empty()) refuse_missing("MATERIAL, or --E_Pa, --nu and --sigma_y_Pa,");
     return material::read_card(o.material).material;
   }
-  for (const auto& [name, value] :
-       {std::pair{"--E_Pa", o.E_Pa}, {"--nu", o.nu}, {"--sigma_y_Pa", o.sigma_y_Pa}})
+  for (const auto& [name, value] : {std::pair{"--E_Pa", o.E_Pa}, {"--nu", o.nu}})
     if (!value) refuse_missing(name);
+  if (o.sigma_y_Pa.has_value() + o.hardness_Pa.has_value() + crushing > 1)
+    throw core::InvalidInput("--sigma_y_Pa, --hardness_Pa, --crush_force_N with --crush_overlap_m and "
+                             "--radius_m: each says the yield "
+                             "stress; give one");
+  const double sigma_y = yield_stress_of(o);
   // Read as a card would be, so that what is refused there is refused here.
   const auto card = core::parse_toml(
       fmt::format("platen = 1\nname = \"perfectly plastic metal\"\nmodel = "
                   "\"von-mises\"\n[parameters]\nE_Pa = {}\nnu = {}\nsigma_y_Pa = {}\n",
-                  core::number_text(*o.E_Pa), core::number_text(*o.nu), core::number_text(*o.sigma_y_Pa)),
+                  core::number_text(*o.E_Pa), core::number_text(*o.nu), core::number_text(sigma_y)),
       "--E_Pa, --nu, --sigma_y_Pa");
   return material::read_card(card).material;
 }
@@ -174,6 +206,20 @@ void add_predict(Command program) {
       .type_name("NUMBER");
   command.add_option("--nu", o->nu, "its Poisson's ratio").type_name("NUMBER");
   command.add_option("--sigma_y_Pa", o->sigma_y_Pa, "its yield stress").type_name("NUMBER");
+  command
+      .add_option("--hardness_Pa", o->hardness_Pa,
+                  "instead of the yield stress: hardness, H = 2.8 sigma_y (Tabor)")
+      .type_name("NUMBER");
+  command
+      .add_option(
+          "--crush_force_N", o->crush_force_N,
+          "instead: the force that a sphere carries between two plates, with --crush_overlap_m, --radius_m")
+      .type_name("NUMBER");
+  command
+      .add_option("--crush_overlap_m", o->crush_overlap_m,
+                  "its overlap with one plate: half of what the plates came together")
+      .type_name("NUMBER");
+  command.add_option("--radius_m", o->radius_m, "of that sphere").type_name("NUMBER");
   command.add_option("-o", o->output, "the law card").type_name("LAW.toml").capture_default_str();
   command
       .add_option("--law", o->law,

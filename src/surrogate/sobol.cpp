@@ -109,6 +109,12 @@ Sensitivity sobol(const Surrogate& s, const material::Model& model, double withi
   const auto d = describe(model);
   if (const auto why = refusal(s, d); !why.empty())
     throw core::InvalidInput(fmt::format("pool {}: {}", s.pool, why));
+  std::vector<double> ln_F;
+  for (const auto& layer : s.layers)
+    add(ln_F, values_at(layer.force, layer.inputs, input_of(s, d.coordinates)));
+  if (grows(locked_growth, s.knots, exponentials(ln_F, 0, ln_F.size())))
+    throw core::InvalidInput(
+        fmt::format("pool {}: it locks, and pools know nothing of such materials", s.pool));
   const auto base = numbers_of(d);
   const auto which = varying(s);
   Sensitivity result{s.pool, output_names(), {}, {}, {}};
