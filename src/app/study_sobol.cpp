@@ -1,8 +1,8 @@
 #include "app/study_sobol.hpp"
 
+#include "app/sobol_picture.hpp"
 #include "core/say.hpp"
 #include "material/card.hpp"
-#include "plot/sobol_picture.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -39,7 +39,7 @@ void print(const Options& o) {
   if (!s.held.empty())
     core::say_line(
         fmt::format("note: held, because the pool does not vary them: {}", fmt::join(s.held, ", ")));
-  if (!o.picture.empty()) plot::sobol_picture(s, o.picture);
+  if (!o.picture.empty()) sobol_picture(s, o.picture);
 }
 
 } // namespace
