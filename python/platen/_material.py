@@ -116,9 +116,10 @@ class Material:
         return Material(self._card.as_model(name))
 
     def predict(
-        self, law: str = "pressed", *, variant: str = "published", quick: bool = False, extrapolate: bool = False
+        self, law: str = "", *, variant: str = "published", quick: bool = False, extrapolate: bool = False
     ) -> Law:
-        """Its law at once, from materials that were pressed. `law.error.l2` is what is expected of it,
+        """Its law at once, from materials that were pressed: "pressed", "edmans-sinka"; of rock (drucker-prager) "wang"; none:
+        "pressed", of rock "wang". `law.error.l2` is what is expected of it,
         `law.provenance.verdict` whether it lies inside of them, `law.near` the nearest. Outside it is refused, unless
         `extrapolate` allows to guess. Of a powder a press on few elements comes first, 0.2 s; `quick` leaves it out and is
         less sure."""

@@ -7,6 +7,7 @@
 #include "material/card.hpp"
 #include "material/walk.hpp"
 #include "surrogate/predict_law.hpp"
+#include "surrogate/rock.hpp"
 
 namespace platen::python {
 namespace {
@@ -19,9 +20,14 @@ Card as_model(const Card& card, const std::string& name) {
   return other;
 }
 
-nb::tuple predict(const Card& card, const std::string& law, const std::string& variant, bool quick,
+nb::tuple predict(const Card& card, const std::string& asked, const std::string& variant, bool quick,
                   bool extrapolate) {
   std::vector<std::string> said;
+  const auto law = surrogate::law_to_predict(card.material, asked);
+  if (law == "wang") {
+    auto rock = surrogate::predict_rock(card.material, card.file);
+    return nb::make_tuple(std::move(rock.card), said, rock.near);
+  }
   auto predicted = long_work([&] {
     return surrogate::predict_law(card.material, {law, variant, quick, extrapolate, card.file},
                                   [&](const std::string& sentence) { said.push_back(sentence); });

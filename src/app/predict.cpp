@@ -6,6 +6,8 @@
 #include "core/version.hpp"
 #include "material/card.hpp"
 #include "surrogate/predict_law.hpp"
+#include "surrogate/rock.hpp"
+#include "surrogate/yield_from.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -18,13 +20,40 @@ namespace platen::app {
 namespace {
 
 struct Options {
-  std::string material, output = "law.toml", law = "pressed", variant = "published";
-  std::optional<double> E_Pa, nu, sigma_y_Pa;
+  std::string material, output = "law.toml", law, variant = "published";
+  std::optional<double> E_Pa, nu, sigma_y_Pa, hardness_Pa, crush_force_N, crush_overlap_m, radius_m;
   bool quick = false, extrapolate = false, json = false;
 };
 
+/// As it is, or from what is known instead.
+double yield_stress_of(const Options& o) {
+  if (o.hardness_Pa) {
+    const double sigma_y = surrogate::yield_from_hardness(*o.E_Pa, *o.nu, *o.hardness_Pa);
+    core::say_line(fmt::format(
+        "note: sigma_y = hardness/2.8 = {:.4g} Pa (Tabor: the indentation is fully plastic, and nothing "
+        "hardens)",
+        sigma_y));
+    return sigma_y;
+  }
+  if (o.crush_force_N || o.crush_overlap_m || o.radius_m) {
+    for (const auto& [name, value] : {std::pair{"--crush_force_N", o.crush_force_N},
+                                      {"--crush_overlap_m", o.crush_overlap_m},
+                                      {"--radius_m", o.radius_m}})
+      if (!value) refuse_missing(name);
+    const double sigma_y =
+        surrogate::yield_from_crushing(*o.E_Pa, *o.nu, *o.crush_force_N, *o.crush_overlap_m, *o.radius_m);
+    core::say_line(fmt::format(
+        "note: sigma_y = {:.4g} Pa, for the sphere to carry {:.4g} N there (perfectly plastic, not broken)",
+        sigma_y, *o.crush_force_N));
+    return sigma_y;
+  }
+  if (!o.sigma_y_Pa) refuse_missing("--sigma_y_Pa");
+  return *o.sigma_y_Pa;
+}
+
 material::Material material_of(const Options& o) {
-  const bool flags = o.E_Pa || o.nu || o.sigma_y_Pa;
+  const bool crushing = o.crush_force_N || o.crush_overlap_m || o.radius_m;
+  const bool flags = o.E_Pa || o.nu || o.sigma_y_Pa || o.hardness_Pa || crushing;
   if (flags && !o.material.empty())
     throw core::InvalidInput(
         fmt::format("{}: give a material, or --E_Pa, --nu and --sigma_y_Pa, not both", o.material));
@@ -32,14 +61,18 @@ material::Material material_of(const Options& o) {
     if (o.material.empty()) refuse_missing("MATERIAL, or --E_Pa, --nu and --sigma_y_Pa,");
     return material::read_card(o.material).material;
   }
-  for (const auto& [name, value] :
-       {std::pair{"--E_Pa", o.E_Pa}, {"--nu", o.nu}, {"--sigma_y_Pa", o.sigma_y_Pa}})
+  for (const auto& [name, value] : {std::pair{"--E_Pa", o.E_Pa}, {"--nu", o.nu}})
     if (!value) refuse_missing(name);
+  if (o.sigma_y_Pa.has_value() + o.hardness_Pa.has_value() + crushing > 1)
+    throw core::InvalidInput("--sigma_y_Pa, --hardness_Pa, --crush_force_N with --crush_overlap_m and "
+                             "--radius_m: each says the yield "
+                             "stress; give one");
+  const double sigma_y = yield_stress_of(o);
   // Read as a card would be, so that what is refused there is refused here.
   const auto card = core::parse_toml(
       fmt::format("platen = 1\nname = \"perfectly plastic metal\"\nmodel = "
                   "\"von-mises\"\n[parameters]\nE_Pa = {}\nnu = {}\nsigma_y_Pa = {}\n",
-                  core::number_text(*o.E_Pa), core::number_text(*o.nu), core::number_text(*o.sigma_y_Pa)),
+                  core::number_text(*o.E_Pa), core::number_text(*o.nu), core::number_text(sigma_y)),
       "--E_Pa, --nu, --sigma_y_Pa");
   return material::read_card(card).material;
 }
@@ -50,13 +83,13 @@ double at(const surrogate::Answer& answer, const std::vector<double>& values, do
   return values[static_cast<std::size_t>(std::min(found, knots.end() - 1) - knots.begin())];
 }
 
-std::string words(const Options& o, const material::Material& material, const surrogate::Answer& answer,
-                  const std::vector<surrogate::Near>& near) {
+std::string words(const Options& o, const std::string& law, const material::Material& material,
+                  const surrogate::Answer& answer, const std::vector<surrogate::Near>& near) {
   const auto& s = answer.surrogate;
   const auto& p = answer.prediction;
   const auto& a = answer.assessment;
   std::string text = fmt::format(
-      "{}: law {} from {} materials of pool {}{} (engine {})\n", material.name, o.law, s.runs.size(), s.pool,
+      "{}: law {} from {} materials of pool {}{} (engine {})\n", material.name, law, s.runs.size(), s.pool,
       answer.guided ? fmt::format(" and a press on {} elements", s.guide->elements) : "", s.engine);
   text += fmt::format("  verdict        {}{}{}\n", name_of(a.verdict), a.reasons.empty() ? "" : ": ",
                       fmt::join(a.reasons, "; "));
@@ -107,14 +140,59 @@ std::string json_of(const material::Material& material, const surrogate::Answer&
          "\n";
 }
 
+std::string rock_words(const Options& o, const material::Material& material,
+                       const surrogate::PredictedRock& p) {
+  std::string text =
+      fmt::format("{}: law wang from {} grains of pool {} (engine {})\n  verdict        {}{}{}\n",
+                  material.name, p.rock.grains.size(), p.rock.pool, p.rock.engine, name_of(p.verdict),
+                  p.reasons.empty() ? "" : ": ", fmt::join(p.reasons, "; "));
+  text += fmt::format("  first yield    at {:.3g} N of a grain of R = {:.3g} m, pressed to {:.3g} N{}\n",
+                      p.yield * p.rock.force_N, p.rock.radius_m, p.rock.force_N,
+                      p.yield > 1 ? ": it stays elastic, or nearly" : "");
+  for (std::size_t k = 0; k < 4; ++k)
+    text += fmt::format("  {:<14} {:.5g}; left out, {:.2g} % off (median), one in twenty {:.2g} %\n",
+                        surrogate::coefficient_names[k], p.of[k], 100 * p.rock.left_out.of[k].median,
+                        100 * p.rock.left_out.of[k].p95);
+  text += fmt::format("  force          {:.2g} % off (median, relative L2), one in twenty {:.2g} %\n",
+                      100 * p.rock.left_out.force.median, 100 * p.rock.left_out.force.p95);
+  const char* title = "nearest        ";
+  for (const auto& one : p.near) {
+    text += fmt::format("  {}{}\n", title, one);
+    title = "               ";
+  }
+  return text + fmt::format("  law card       {}\n", o.output);
+}
+
+std::string rock_json(const material::Material& material, const surrogate::PredictedRock& p) {
+  nlohmann::ordered_json json = {{"platen", core::version},       {"material", material.name},
+                                 {"pool", p.rock.pool},           {"engine", p.rock.engine},
+                                 {"verdict", name_of(p.verdict)}, {"reasons", p.reasons},
+                                 {"F_y_over_F", p.yield}};
+  for (std::size_t k = 0; k < 4; ++k) {
+    json[surrogate::coefficient_names[k]] = p.of[k];
+    json["left_out"][surrogate::coefficient_names[k]] = {
+        p.rock.left_out.of[k].median, p.rock.left_out.of[k].p95, p.rock.left_out.of[k].worst};
+  }
+  json["nearest_runs"] = p.near;
+  return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
 void predict(const Options& o) {
   const auto material = material_of(o);
-  surrogate::PredictOptions options{o.law, o.variant, o.quick, o.extrapolate};
+  const auto law = surrogate::law_to_predict(material, o.law);
+  if (law == "wang") {
+    const auto rock = surrogate::predict_rock(material, o.material);
+    core::write_file(o.output, text_of(rock.card));
+    fmt::print(report_stream(o.output), "{}",
+               o.json ? rock_json(material, rock) : rock_words(o, material, rock));
+    return;
+  }
+  surrogate::PredictOptions options{law, o.variant, o.quick, o.extrapolate};
   if (!o.material.empty()) options.card = o.material;
   const auto [card, answer, near] = surrogate::predict_law(material, options, core::say_line);
   core::write_file(o.output, text_of(card));
   fmt::print(report_stream(o.output), "{}",
-             o.json ? json_of(material, answer, near) : words(o, material, answer, near));
+             o.json ? json_of(material, answer, near) : words(o, law, material, answer, near));
 }
 
 } // namespace
@@ -128,17 +206,34 @@ void add_predict(Command program) {
       .type_name("NUMBER");
   command.add_option("--nu", o->nu, "its Poisson's ratio").type_name("NUMBER");
   command.add_option("--sigma_y_Pa", o->sigma_y_Pa, "its yield stress").type_name("NUMBER");
+  command
+      .add_option("--hardness_Pa", o->hardness_Pa,
+                  "instead of the yield stress: hardness, H = 2.8 sigma_y (Tabor)")
+      .type_name("NUMBER");
+  command
+      .add_option(
+          "--crush_force_N", o->crush_force_N,
+          "instead: the force that a sphere carries between two plates, with --crush_overlap_m, --radius_m")
+      .type_name("NUMBER");
+  command
+      .add_option("--crush_overlap_m", o->crush_overlap_m,
+                  "its overlap with one plate: half of what the plates came together")
+      .type_name("NUMBER");
+  command.add_option("--radius_m", o->radius_m, "of that sphere").type_name("NUMBER");
   command.add_option("-o", o->output, "the law card").type_name("LAW.toml").capture_default_str();
-  command.add_option("--law", o->law, "pressed: the curve itself; edmans-sinka: fitted to the curve")
-      .type_name("NAME")
-      .capture_default_str();
+  command
+      .add_option("--law", o->law,
+                  "pressed: the curve itself, the default; edmans-sinka: fitted to the "
+                  "curve; wang: of rock (drucker-prager), the default there")
+      .type_name("NAME");
   command.add_option("--variant", o->variant, "form of edmans-sinka").type_name("V").capture_default_str();
   command.add_flag("--quick", o->quick,
                    "powders: without the press on few elements that comes first, 0.2 s; less sure");
   command.add_flag("--extrapolate", o->extrapolate, "outside of what was pressed: guess, with a warning");
   command.add_flag("--json", o->json, "for a machine to read");
   command.footer("Example: platen predict mcc-ph-200 -o law.toml\n"
-                 "         platen predict --E_Pa 2e9 --nu 0.3 --sigma_y_Pa 2e7 -o law.toml");
+                 "         platen predict --E_Pa 2e9 --nu 0.3 --sigma_y_Pa 2e7 -o law.toml\n"
+                 "         platen predict wang-type-1 -o law.toml");
   command.callback([o] { predict(*o); });
 }
 

@@ -1,6 +1,9 @@
 #include "app/commands.hpp"
 #include "app/study_check.hpp"
 #include "app/study_design.hpp"
+#include "app/study_methods.hpp"
+#include "app/study_refine.hpp"
+#include "app/study_sobol.hpp"
 #include "app/study_surrogate.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
@@ -183,6 +186,9 @@ void add_study(Command program) {
   join.footer("Example: platen study merge examples/study.toml --store out/all --from out/mine out/theirs");
   add_study_check(command);
   add_study_surrogate(command);
+  add_study_methods(command);
+  add_study_refine(command);
+  add_study_sobol(command);
   command.footer("Example: platen study run examples/study.toml");
 }
 

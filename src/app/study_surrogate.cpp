@@ -1,10 +1,13 @@
 #include "app/study_surrogate.hpp"
 
 #include "core/file.hpp"
+#include "study/card.hpp"
+#include "surrogate/rock.hpp"
 #include "surrogate/surrogate.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,7 +49,22 @@ void print_beside(const surrogate::Surrogate& s, const surrogate::PoolData& othe
   }
 }
 
+void make_rock(const Options& o) {
+  const auto rock = surrogate::rock_of_pool(o.pool);
+  const auto file =
+      o.output.empty() ? std::filesystem::path(o.pool) / "grains.csv" : std::filesystem::path(o.output);
+  core::write_file(file, surrogate::text_of(rock));
+  const auto& e = rock.left_out;
+  fmt::print("{}: {} grains: {}\n  {:<44} {:>8} {:>8} {:>8}\n", rock.pool, rock.grains.size(), file.string(),
+             fmt::format("{} of them left out one by one", e.materials), "median", "95 %", "worst");
+  for (std::size_t k = 0; k < 4; ++k) fmt::print("{}", row(surrogate::coefficient_names[k], e.of[k]));
+  fmt::print("{}{}", row("force over the loading, relative L2", e.force),
+             row("work given back in unloading", e.work));
+}
+
 void make(const Options& o) {
+  const auto study = study::read_study((std::filesystem::path(o.pool) / "study.toml").string());
+  if (std::ranges::find(study.laws, "wang") != study.laws.end()) return make_rock(o);
   auto data = surrogate::read_pool_data(o.pool);
   for (const auto& pool : o.with) surrogate::append(data, surrogate::read_pool_data(pool));
   std::optional<surrogate::PoolData> coarse, guide;
@@ -60,8 +78,10 @@ void make(const Options& o) {
              coarse ? fmt::format(", {} on the mesh of {}", s.runs.size(), coarse->name) : "",
              s.layers.front().inputs.dimensions, file.string());
   for (const auto& layer : s.layers)
-    fmt::print("  components: {} of the force, {} of the radius, {} of the unloadings\n",
-               layer.force.basis.size(), layer.radius.basis.size(), layer.unloading.basis.size());
+    fmt::print(
+        "  components: {} of the force, {} of the radius, {} of the work given back, {} of its exponents\n",
+        layer.force.basis.size(), layer.radius.basis.size(), layer.work.basis.size(),
+        layer.exponent.basis.size());
   const auto& first = coarse ? *coarse : data;
   if (first.too_steep + first.locked > 0)
     fmt::print("  left aside: {} that unload too steeply for alpha and beta to be fitted, {} that lock\n",
@@ -89,7 +109,8 @@ void add_study_surrogate(Command study) {
                   "likewise, on so few elements that a material may be pressed before it is "
                   "predicted")
       .type_name("POOL");
-  command.add_option("-o", o->output, "the file; default surrogate.txt in its folder").type_name("FILE");
+  command.add_option("-o", o->output, "the file; default surrogate.txt in its folder, of rock grains.csv")
+      .type_name("FILE");
   command
       .add_option("--beside", o->beside, "pools that it is not made of: how well it says what they pressed")
       .type_name("POOL");

@@ -29,9 +29,7 @@ surrogate::Answer surrogate_answer(const material::Material& typical, const mate
 struct LogCurve {
   std::vector<double> delta_bar, F, a, unload_delta_bar, alpha, beta;
 };
-/// Made to grow where it falls. Pools and presses unload from few overlaps, and the law is linear in their
-/// logarithms between them: off by 3 % in the stiffness of a metal halfway. Cubics through four neighbours
-/// say what lies between, and a little below.
+/// Made to grow where it falls; unloading between overlaps as fit::refine_unloading() says it.
 law::PressedMaterial curve_of(const LogCurve&, const material::Material&, double sigma_ref);
 
 } // namespace platen::calibrate

@@ -26,22 +26,23 @@ void check_inside(const Surrogate& s, const Description& d) {
 
 /// Logarithms of F at the knots and of alpha and beta, without the variances that predict() adds.
 struct Logarithms {
-  std::vector<double> F, a, unloading;
+  std::vector<double> F, a, work, exponent;
 };
 Logarithms logarithms_at(const Surrogate& s, const std::vector<double>& at) {
   Logarithms l;
   for (const auto& layer : s.layers) {
     add(l.F, values_at(layer.force, layer.inputs, at));
     add(l.a, values_at(layer.radius, layer.inputs, at));
-    add(l.unloading, values_at(layer.unloading, layer.inputs, at));
+    add(l.work, values_at(layer.work, layer.inputs, at));
+    add(l.exponent, values_at(layer.exponent, layer.inputs, at));
   }
   return l;
 }
 
 law::PressedMaterial curve(const Surrogate& s, const Logarithms& l, const material::Material& material) {
-  const auto half = l.unloading.begin() + static_cast<std::ptrdiff_t>(s.unload_delta_bar.size());
+  auto [alpha, beta] = alpha_beta(l.work, l.exponent);
   return curve_of(
-      {s.knots, l.F, l.a, s.unload_delta_bar, {l.unloading.begin(), half}, {half, l.unloading.end()}},
+      {s.knots, l.F, l.a, s.unload_delta_bar, logarithms(std::move(alpha)), logarithms(std::move(beta))},
       material, describe(material.model).sigma_ref);
 }
 
@@ -82,12 +83,15 @@ Curves surrogate_curves(const material::Material& typical) {
         }
         ways.push_back(curve(*s, other, m));
       }
-      for (std::size_t c = 0; c < layer.unloading.basis.size(); ++c) {
-        const double by = deviation(layer.unloading.processes[c], layer.inputs, at, 1);
-        auto other = best;
-        for (std::size_t j = 0; j < other.unloading.size(); ++j)
-          other.unloading[j] += by * layer.unloading.basis[c][j];
-        ways.push_back(curve(*s, other, m));
+      for (const auto& [components, values] :
+           {std::pair{&Layer::work, &Logarithms::work}, {&Layer::exponent, &Logarithms::exponent}}) {
+        const Components& of = layer.*components;
+        for (std::size_t c = 0; c < of.basis.size(); ++c) {
+          const double by = deviation(of.processes[c], layer.inputs, at, 1);
+          auto other = best;
+          for (std::size_t j = 0; j < (other.*values).size(); ++j) (other.*values)[j] += by * of.basis[c][j];
+          ways.push_back(curve(*s, other, m));
+        }
       }
     }
     auto other = best;

@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/number.hpp"
 #include "core/sha256.hpp"
+#include "fit/refine_unloading.hpp"
 #include "fit/samples.hpp"
 
 #include <fmt/format.h>
@@ -83,6 +84,7 @@ law::PressedMaterial at_knots(const press::Curve& curve, const Points& p, const 
     m.beta.push_back(back ? std::cbrt(std::pow(f.F_bar_max / hertz, 2)) / (*back * (1 + m.alpha.back()))
                           : f.beta);
   }
+  refine_unloading(m);
   return m;
 }
 

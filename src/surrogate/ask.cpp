@@ -32,11 +32,17 @@ std::vector<fs::path> surrogate_files() {
 
 } // namespace
 
+std::vector<Surrogate> catalogue_surrogates(const std::string& model) {
+  std::vector<Surrogate> all;
+  for (const auto& file : surrogate_files())
+    if (Surrogate s = read_surrogate(file); s.model == model) all.push_back(std::move(s));
+  return all;
+}
+
 Answer ask_catalogue(const Description& d) {
   std::optional<Answer> best;
-  for (const auto& file : surrogate_files())
-    if (const Surrogate s = read_surrogate(file); s.model == d.model)
-      if (auto better = ask(s, d, best)) best = std::move(better);
+  for (const auto& s : catalogue_surrogates(d.model))
+    if (auto better = ask(s, d, best)) best = std::move(better);
   if (!best)
     throw core::InvalidInput(fmt::format("the catalogue has no surrogate of {} materials; `platen study "
                                          "surrogate` makes one of a pool, `platen derive` "

@@ -46,8 +46,10 @@ struct Answer {
 /// What a surrogate says of a material, where it knows it better than the other answer; equal is not better.
 std::optional<Answer> ask(const Surrogate&, const Description&, const std::optional<Answer>& other);
 
-/// The surrogates of the catalogues, and of these the one that knows the material best. InvalidInput where
-/// there is none of its model.
+/// Those of the catalogues for a model.
+std::vector<Surrogate> catalogue_surrogates(const std::string& model);
+/// Of these the one that knows the material best. InvalidInput where there is none
+/// of its model.
 Answer ask_catalogue(const Description&);
 
 } // namespace platen::surrogate

@@ -16,7 +16,7 @@ namespace platen::surrogate {
 namespace {
 
 constexpr std::string_view head =
-    "platen-surrogate 2"; // raised when the coordinates of a model, or what follows, change
+    "platen-surrogate 3"; // raised when the coordinates of a model, or what follows, change
 
 class Writer {
  public:
@@ -126,7 +126,8 @@ void write(Writer& out, const Layer& layer) {
   out.list("inputs", layer.inputs.values);
   write(out, "force", layer.force);
   write(out, "radius", layer.radius);
-  write(out, "unloading", layer.unloading);
+  write(out, "work", layer.work);
+  write(out, "exponent", layer.exponent);
 }
 
 Components read_components(Reader& in, std::string_view name, std::size_t values, const Inputs& inputs) {
@@ -172,7 +173,8 @@ Layer read_layer(Reader& in, std::size_t dimensions, std::size_t knots, std::siz
   layer.inputs = {dimensions, in.list("inputs")};
   layer.force = read_components(in, "force", knots, layer.inputs);
   layer.radius = read_components(in, "radius", knots, layer.inputs);
-  layer.unloading = read_components(in, "unloading", unloadings, layer.inputs);
+  layer.work = read_components(in, "work", unloadings, layer.inputs);
+  layer.exponent = read_components(in, "exponent", unloadings, layer.inputs);
   return layer;
 }
 
@@ -236,7 +238,7 @@ Surrogate parse_surrogate(std::string_view text, const std::string& file) {
   const int layers = in.whole("layers");
   if (layers == 0) throw core::InvalidInput(fmt::format("{}: it has no layer; the file is damaged", file));
   for (int i = 0; i < layers; ++i)
-    s.layers.push_back(read_layer(in, varying, s.knots.size(), 2 * s.unload_delta_bar.size()));
+    s.layers.push_back(read_layer(in, varying, s.knots.size(), s.unload_delta_bar.size()));
   s.band = in.number("band");
   s.left_out = read_errors(in, "left_out");
   if (in.peek() != "guide") return s;

@@ -15,9 +15,6 @@ double quantile(std::vector<double> values, double share) {
   const auto above = std::min(below + 1, values.size() - 1);
   return values[below] + (place - static_cast<double>(below)) * (values[above] - values[below]);
 }
-Quantiles quantiles(const std::vector<double>& values) {
-  return {quantile(values, 0.5), quantile(values, 0.95), quantile(values, 1)};
-}
 
 /// A layer with the numbers that it was made of, and where each of the materials asked for stands in them.
 struct Term {
@@ -26,15 +23,44 @@ struct Term {
   std::vector<std::size_t> rows;
 };
 
+/// As cross(), but with components and processes made without a tenth of the rows at a time.
+Crossed cross_anew(const Table& table, const Inputs& inputs) {
+  constexpr std::size_t parts = 10;
+  Crossed crossed{Table(table.size()), Table(table.size())};
+  for (std::size_t part = 0; part < parts; ++part) {
+    Table others;
+    Inputs where{inputs.dimensions, {}};
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      if (i % parts == part) continue;
+      others.push_back(table[i]);
+      where.values.insert(where.values.end(), inputs.row(i).begin(), inputs.row(i).end());
+    }
+    auto [components, scores] = reduce(others);
+    for (const auto& score : scores) components.processes.push_back(fit_process(where, score));
+    for (std::size_t i = part; i < table.size(); i += parts) {
+      crossed.mean[i] = values_at(components, where, inputs.row(i));
+      crossed.variance[i] = variances_at(components, where, inputs.row(i));
+    }
+  }
+  return crossed;
+}
+
 /// Adds what the terms say of each material when it is left out of them; of unloadings, or of the loading.
-void add_left_out(std::vector<Said>& said, const std::vector<Term>& terms, bool unloadings) {
+/// The last term is the finest layer.
+void add_left_out(std::vector<Said>& said, const std::vector<Term>& terms, bool unloadings, Left left) {
   for (const auto& [layer, tables, rows] : terms) {
+    const bool anew = left == Left::anew && &layer == &terms.back().layer;
     if (unloadings) {
-      const Crossed u = cross(layer.unloading, tables.unloading, layer.inputs);
-      for (std::size_t i = 0; i < said.size(); ++i) add(said[i].unloading, u.mean[rows[i]]);
+      const Crossed work = cross(layer.work, tables.work, layer.inputs),
+                    exponent = cross(layer.exponent, tables.exponent, layer.inputs);
+      for (std::size_t i = 0; i < said.size(); ++i) {
+        add(said[i].work, work.mean[rows[i]]);
+        add(said[i].exponent, exponent.mean[rows[i]]);
+      }
       continue;
     }
-    const Crossed F = cross(layer.force, tables.force, layer.inputs),
+    const Crossed F = anew ? cross_anew(tables.force, layer.inputs)
+                           : cross(layer.force, tables.force, layer.inputs),
                   a = cross(layer.radius, tables.radius, layer.inputs);
     for (std::size_t i = 0; i < said.size(); ++i) {
       add(said[i].F, F.mean[rows[i]]);
@@ -74,16 +100,28 @@ std::vector<Errors> errors_of(const Pools& pools, const std::vector<std::size_t>
 
 } // namespace
 
-std::vector<Errors> leave_out(const Surrogate& s, const Pools& pools) {
+Quantiles quantiles(const std::vector<double>& values) {
+  return {quantile(values, 0.5), quantile(values, 0.95), quantile(values, 1)};
+}
+
+std::vector<Said> said_left_out(const Surrogate& s, const Pools& pools, std::vector<std::size_t>* which,
+                                Left left) {
   std::vector<std::size_t> fine;
   const auto terms = terms_of(s, pools, fine);
   std::vector<Said> said(fine.size());
-  add_left_out(said, terms, false);
-  add_left_out(said, terms, true);
+  add_left_out(said, terms, false, left);
+  add_left_out(said, terms, true, left);
+  if (which) *which = std::move(fine);
+  return said;
+}
+
+std::vector<Errors> leave_out(const Surrogate& s, const Pools& pools, Left left) {
+  std::vector<std::size_t> fine;
+  const auto said = said_left_out(s, pools, &fine, left);
   return errors_of(pools, fine, said);
 }
 
-std::vector<Errors> leave_out_guided(const Surrogate& s, const Pools& pools) {
+std::vector<Errors> leave_out_guided(const Surrogate& s, const Pools& pools, Left left) {
   std::vector<std::size_t> fine;
   auto terms = terms_of(s, pools, fine);
   const auto both = in_both(*pools.coarse, *pools.guide);
@@ -100,11 +138,11 @@ std::vector<Errors> leave_out_guided(const Surrogate& s, const Pools& pools) {
     changes.rows.push_back(static_cast<std::size_t>(found - both.begin()));
     kept_fine.push_back(fine[i]);
     for (std::size_t l = 0; l < 2; ++l) kept[l].push_back(terms[l].rows[i]);
-    said.push_back({guides.force[found->coarse], {}, guides.radius[found->coarse], {}});
+    said.push_back({guides.force[found->coarse], {}, guides.radius[found->coarse], {}, {}});
   }
   for (std::size_t l = 0; l < 2; ++l) unguided[l].rows = kept[l];
-  add_left_out(said, unguided, true);
-  add_left_out(said, {changes, unguided[1]}, false);
+  add_left_out(said, unguided, true, left);
+  add_left_out(said, {changes, unguided[1]}, false, left);
   return errors_of(pools, kept_fine, said);
 }
 

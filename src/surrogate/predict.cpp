@@ -28,11 +28,11 @@ std::vector<double> input_of(const Surrogate& s, const std::vector<double>& coor
 Prediction predict(const Surrogate& s, const Description& d, const Loading* guide) {
   const Said said = said_of(s, d, guide);
   const double band = guide ? s.guide->band : s.band;
-  const std::size_t branches = s.unload_delta_bar.size();
+  auto [alpha, beta] = alpha_beta(said.work, said.exponent);
   Prediction p{exponentials(said.F, 0, said.F.size()),
                exponentials(said.a, 0, said.a.size()),
-               exponentials(said.unloading, 0, branches),
-               exponentials(said.unloading, branches, branches),
+               std::move(alpha),
+               std::move(beta),
                {},
                {}};
   for (const double variance : said.F_variance) p.band.push_back(band * std::sqrt(variance));

@@ -38,12 +38,24 @@ std::string advice(const PredictOptions& o, const Answer& answer) {
 
 } // namespace
 
+std::string law_to_predict(const material::Material& material, const std::string& asked) {
+  const bool rock = std::holds_alternative<material::DruckerPrager>(material.model);
+  const std::vector<std::string> laws = {"pressed", "edmans-sinka", "wang"};
+  const std::string law = asked.empty() ? (rock ? "wang" : "pressed") : asked;
+  if (std::ranges::find(laws, law) == laws.end())
+    throw core::InvalidInput(
+        fmt::format("--law {}: there is no such law to predict{}", law, core::suggestion(law, laws)));
+  if (rock != (law == "wang"))
+    throw core::InvalidInput(
+        fmt::format("--law {}: {} is {}; of {} it is {} that is predicted", law, material.name,
+                    rock ? "rock (drucker-prager)" : "no rock (drucker-prager)", rock ? "rock" : "others",
+                    rock ? "wang" : "pressed or edmans-sinka"));
+  return law;
+}
+
 PredictedLaw predict_law(const material::Material& material, const PredictOptions& o,
                          const std::function<void(const std::string&)>& say) {
-  const std::vector<std::string> laws = {"pressed", "edmans-sinka"};
-  if (std::ranges::find(laws, o.law) == laws.end())
-    throw core::InvalidInput(
-        fmt::format("--law {}: there is no such law to predict{}", o.law, core::suggestion(o.law, laws)));
+  law_to_predict(material, o.law);
   const auto description = describe(material.model);
   auto answer = ask_catalogue(description);
   // a press of what lies far away might take long, and would not bring it inside

@@ -11,6 +11,11 @@
 
 namespace platen::surrogate {
 
+/// The law that is asked for, or, where none is, that which is predicted of the material: wang of rock
+/// (drucker-prager: predict_rock()), pressed of others. InvalidInput where it is not predicted of such a
+/// material.
+std::string law_to_predict(const material::Material&, const std::string& asked);
+
 struct PredictOptions {
   std::string law = "pressed", variant = "published"; ///< or edmans-sinka in a form of it
   bool quick = false;                                 ///< without the press on few elements that guides

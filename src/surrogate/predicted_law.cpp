@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/number.hpp"
 #include "fit/edmans_sinka_card.hpp"
+#include "fit/refine_unloading.hpp"
 #include "press/case.hpp"
 
 #include <fmt/format.h>
@@ -91,15 +92,18 @@ fit::LawCard pressed_card(const Answer& answer, const material::Material& materi
                                          material.name, 100 * raised));
   fit::LawCard card;
   card.law = "pressed";
+  law::PressedMaterial unloading;
+  unloading.unload_delta_bar = h.unload_delta_bar, unloading.alpha = h.alpha, unloading.beta = h.beta;
+  fit::refine_unloading(unloading);
   card.parameters = {{"E_Pa", core::number_text(material::initial_E(material.model))},
                      {"nu", core::number_text(material::initial_nu(material.model))},
                      {"sigma_ref_Pa", core::number_text(answer.sigma_ref)},
                      {"delta_bar", list_of(h.knots)},
                      {"F_bar", list_of(F_bar)},
                      {"a_bar", list_of(a_bar)},
-                     {"unload_delta_bar", list_of(h.unload_delta_bar)},
-                     {"alpha", list_of(h.alpha)},
-                     {"beta", list_of(h.beta)}};
+                     {"unload_delta_bar", list_of(unloading.unload_delta_bar)},
+                     {"alpha", list_of(unloading.alpha)},
+                     {"beta", list_of(unloading.beta)}};
   card.delta_bar = {0, h.knots.back()};
   card.errors = {{"relative_l2", rounded({h.expected})[0]}};
   if (std::max(raised, raised_a) > 1e-4)

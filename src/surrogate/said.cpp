@@ -33,7 +33,7 @@ Unloading unloading(double F_bar, double alpha, double beta, double delta_bar, c
   return {returned, F_bar * returned / (alpha + 1)};
 }
 
-double work_of(const PressedBranch& branch) {
+double work_along(const PressedBranch& branch) {
   double work = 0;
   for (std::size_t i = 1; i < branch.delta_bar.size(); ++i)
     work += (branch.delta_bar[i] - branch.delta_bar[i - 1]) * (branch.F_bar[i] + branch.F_bar[i - 1]) / 2;
@@ -51,6 +51,17 @@ void add_loading(Said& said, const Layer& layer, const std::vector<double>& at) 
 void add(std::vector<double>& sum, const std::vector<double>& more) {
   if (sum.empty()) sum.resize(more.size());
   for (std::size_t j = 0; j < more.size(); ++j) sum[j] += more[j];
+}
+
+double work_of(double alpha, double beta) { return -std::log(beta * (1 + alpha)); }
+
+AlphaBeta alpha_beta(const std::vector<double>& work, const std::vector<double>& exponent) {
+  AlphaBeta both;
+  for (std::size_t b = 0; b < work.size(); ++b) {
+    both.alpha.push_back(std::exp(exponent[b]));
+    both.beta.push_back(std::exp(-work[b]) / (1 + both.alpha[b]));
+  }
+  return both;
 }
 
 std::vector<double> logarithms(std::vector<double> values) {
@@ -73,7 +84,10 @@ Said said_of(const Surrogate& s, const Description& d, const Loading* guide) {
     add_loading(said, s.guide->change, at);
   }
   for (std::size_t l = guide ? 1 : 0; l < s.layers.size(); ++l) add_loading(said, s.layers[l], at);
-  for (const auto& layer : s.layers) add(said.unloading, values_at(layer.unloading, layer.inputs, at));
+  for (const auto& layer : s.layers) {
+    add(said.work, values_at(layer.work, layer.inputs, at));
+    add(said.exponent, values_at(layer.exponent, layer.inputs, at));
+  }
   if (s.model == "von-mises") {
     const double off = per_nu * (d.numbers[1].value - s.ranges[1].low);
     for (double& variance : said.F_variance) variance += off * off;
@@ -91,12 +105,13 @@ Errors errors_of(const PoolData& data, const Pressed& run, const Said& said) {
     e.standardised.push_back(std::abs(said.F[j] - std::log(run.F_bar[j])) / std::sqrt(said.F_variance[j]));
   e.locks = grows(locked_growth, data.knots, F_bar);
   const std::size_t branches = data.unload_delta_bar.size();
+  const auto [alpha, beta] = alpha_beta(said.work, said.exponent);
   for (std::size_t b = 0; b < branches; ++b) {
     const double at = data.unload_delta_bar[b];
     const auto knot = std::lower_bound(data.knots.begin(), data.knots.end(), at - 1e-9) - data.knots.begin();
-    const auto back = unloading(F_bar[static_cast<std::size_t>(knot)], std::exp(said.unloading[b]),
-                                std::exp(said.unloading[branches + b]), at, run.description);
-    e.work.push_back(std::abs(back.work / work_of(run.branches[b]) - 1));
+    const auto back =
+        unloading(F_bar[static_cast<std::size_t>(knot)], alpha[b], beta[b], at, run.description);
+    e.work.push_back(std::abs(back.work / work_along(run.branches[b]) - 1));
     e.residual.push_back(std::abs(at - back.returned - run.residual[b]) / at);
   }
   return e;

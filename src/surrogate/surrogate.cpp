@@ -44,7 +44,8 @@ Layer fit_layer(const Surrogate& s, const Tables& tables, const std::vector<cons
   }
   for (const auto& [table, components] : {std::pair{&tables.force, &layer.force},
                                           {&tables.radius, &layer.radius},
-                                          {&tables.unloading, &layer.unloading}}) {
+                                          {&tables.work, &layer.work},
+                                          {&tables.exponent, &layer.exponent}}) {
     Reduced reduced = reduce(*table);
     *components = std::move(reduced.components);
     for (const auto& scores : reduced.scores)
@@ -88,14 +89,15 @@ Surrogate fit_surrogate(const Pools& pools) {
   if (coarse) s.layers.push_back(fit_change(s, fine, *coarse));
   const auto errors = leave_out(s, pools);
   s.fine = static_cast<int>(errors.size());
-  s.band = band_of(errors);
+  // A layer of changes has few materials for its coordinates and is fitted to them too closely.
+  s.band = band_of(coarse ? leave_out(s, pools, Left::anew) : errors);
   s.left_out = summary_of(errors, s.band);
   if (!guide) return s;
   if (!coarse)
     throw core::InvalidInput(fmt::format("the guide {} wants coarse presses as well", guide->name));
   s.guide = Guide{guide->elements, guide->step_max, fit_change(s, *coarse, *guide), 0, {}};
   const auto guided = leave_out_guided(s, pools);
-  s.guide->band = band_of(guided);
+  s.guide->band = band_of(leave_out_guided(s, pools, Left::anew));
   s.guide->left_out = summary_of(guided, s.guide->band);
   return s;
 }

@@ -1,6 +1,6 @@
 #pragma once
 // A surrogate: what a data pool says of materials between those that were pressed. Logarithms of force and
-// contact radius at the knots, and of alpha and beta of the unloadings, are reduced to a few principal
+// contact radius at the knots, and of work and alpha of the unloadings, are reduced to a few principal
 // components, and each of these is a Gaussian process over the coordinates of the material.
 //
 // Where presses are dear, most are made on a coarse mesh (Kennedy & O'Hagan 2000): the first layer is of
@@ -25,7 +25,7 @@ namespace platen::surrogate {
 /// One sum of components for each quantity.
 struct Layer {
   Inputs inputs; ///< in [0, 1]
-  Components force, radius, unloading;
+  Components force, radius, work, exponent;
 };
 
 /// Force and contact radius at the knots.
@@ -38,6 +38,7 @@ struct Loading {
 struct Quantiles {
   double median = 0, p95 = 0, worst = 0;
 };
+Quantiles quantiles(const std::vector<double>&);
 struct LeaveOneOut {
   int materials = 0, locked = 0; ///< of all, those that are said to lock are not counted in what follows
   Quantiles force;               ///< relative L2 of F over the loading
@@ -99,11 +100,14 @@ struct Errors {
   double expected = 0;
   bool locks = false; ///< by what is said
 };
-/// Of each of the fine materials, left out of all layers in turn: components, lengths and so on as they are
-/// (closed form). The pools must be the surrogate's.
-std::vector<Errors> leave_out(const Surrogate&, const Pools&);
+/// How a material is left out. closed_form: components, lengths and so on as they are, made with it. anew:
+/// those of the finest layer's force are made without a tenth of the materials at a time, so that they say
+/// nothing of them; what the closed form thinks it knows is too good.
+enum class Left { closed_form, anew };
+/// Of each of the fine materials, left out of all layers in turn. The pools must be the surrogate's.
+std::vector<Errors> leave_out(const Surrogate&, const Pools&, Left = Left::closed_form);
 /// The same, each with its guide.
-std::vector<Errors> leave_out_guided(const Surrogate&, const Pools&);
+std::vector<Errors> leave_out_guided(const Surrogate&, const Pools&, Left = Left::closed_form);
 /// Of each material of a pool that the surrogate was not made of, unloaded from the same overlaps.
 std::vector<Errors> errors_beside(const Surrogate&, const PoolData&, bool guided = false);
 /// The number of standard deviations that nine tenths of the errors at knots lie within.

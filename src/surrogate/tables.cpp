@@ -2,22 +2,20 @@
 
 #include "core/error.hpp"
 #include "surrogate/ripples.hpp"
+#include "surrogate/said.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <initializer_list>
 
 namespace platen::surrogate {
 namespace {
 
-/// Of each run, one list after the other.
-Table logarithms(const PoolData& data, std::initializer_list<std::vector<double> Pressed::*> lists) {
+Table logarithms(const PoolData& data, std::vector<double> Pressed::*list) {
   Table table;
   for (const auto& run : data.runs) {
     table.emplace_back();
-    for (const auto list : lists)
-      for (const double value : run.*list) table.back().push_back(std::log(value));
+    for (const double value : run.*list) table.back().push_back(std::log(value));
   }
   return table;
 }
@@ -25,8 +23,14 @@ Table logarithms(const PoolData& data, std::initializer_list<std::vector<double>
 } // namespace
 
 Tables tables_of(const PoolData& data) {
-  Tables tables{logarithms(data, {&Pressed::F_bar}), logarithms(data, {&Pressed::a_bar}),
-                logarithms(data, {&Pressed::alpha, &Pressed::beta})};
+  Tables tables{logarithms(data, &Pressed::F_bar),
+                logarithms(data, &Pressed::a_bar),
+                {},
+                logarithms(data, &Pressed::alpha)};
+  for (const auto& run : data.runs) {
+    auto& row = tables.work.emplace_back();
+    for (std::size_t b = 0; b < run.alpha.size(); ++b) row.push_back(work_of(run.alpha[b], run.beta[b]));
+  }
   if (data.elements < ripple_free_elements)
     for (const auto table : {&Tables::force, &Tables::radius})
       for (auto& row : tables.*table) row = without_ripples(data.knots, row);
@@ -60,7 +64,7 @@ std::vector<Both> in_both(const PoolData& fine, const PoolData& coarse) {
 
 Tables change(const Tables& fine, const Tables& coarse, const std::vector<Both>& both) {
   Tables changes;
-  for (const auto table : {&Tables::force, &Tables::radius, &Tables::unloading})
+  for (const auto table : {&Tables::force, &Tables::radius, &Tables::work, &Tables::exponent})
     for (const auto [i, j] : both) {
       auto& row = (changes.*table).emplace_back((fine.*table)[i]);
       row.resize((coarse.*table)[j].size()); // a guide has no unloadings

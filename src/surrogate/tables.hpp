@@ -8,9 +8,10 @@
 
 namespace platen::surrogate {
 
-/// A row a run: ln F_bar, ln a_bar at the knots, without ripples; ln alpha, ln beta of the unloadings.
+/// A row a run: ln F_bar, ln a_bar at the knots, without ripples; of each unloading what work_of() says, and
+/// ln alpha.
 struct Tables {
-  Table force, radius, unloading;
+  Table force, radius, work, exponent;
 };
 Tables tables_of(const PoolData& data);
 

@@ -2,6 +2,7 @@
 # command_line.sh PROGRAM: what the program answers, and with which exit code (0, 2, 3, 4).
 set -u
 platen=$1
+pools=$(realpath "$(dirname "$0")/../../catalogue/pools")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder" || exit 1
@@ -48,6 +49,26 @@ for command in materials point press fit derive import calibrate compaction conv
 for command in design run status export submit merge check surrogate; do answers 0 'Example:' "$platen" study $command --help; done
 answers 0 '| `only` |' "$platen" study design --keys
 answers 2 'STUDY.toml is required' "$platen" study design
+cat >candidates.toml <<'CARD'
+platen = 1
+name = "candidates"
+case = { platen = 1, experiment = "simple", material = "von-mises-100", radius_m = 1e-3 }
+[design]
+kind = "latin-hypercube"
+runs = 40
+[factors]
+"material.E_bar" = { min = 3, max = 2000, scale = "log" }
+[fit]
+laws = ["edmans-sinka"]
+CARD
+answers 0 '3 presses' "$platen" study refine candidates.toml --surrogate "$pools/von-mises" --target 1e-5 --most 3
+answers 0 '3  table' "$platen" study design candidates-refined.toml
+answers 0 'nothing to press' "$platen" study refine candidates.toml --surrogate "$pools/von-mises" --target 0.05
+answers 2 'the surrogate of vmdc' "$platen" study refine candidates.toml --surrogate "$pools/powders"
+answers 2 'that is the study itself' "$platen" study refine candidates.toml --surrogate "$pools/von-mises" --target 1e-5 -o candidates.toml
+answers 0 'Gamma_bar' "$platen" study sobol base-case --within 0.1 -o sobol.svg
+has sobol.svg
+answers 2 'it locks' "$platen" study sobol dical-emcompress
 answers 0 'mcc-ph-200' "$platen" materials
 answers 0 'sigma_y_Pa' "$platen" materials mcc-ph-200
 answers 0 '"model": "vmdc"' "$platen" materials mcc-ph-200 --json
@@ -62,8 +83,17 @@ has_not outside.toml
 answers 0 'warning: extrapolated' "$platen" predict --E_Pa 1e9 --nu 0.3 --sigma_y_Pa 1e5 --law edmans-sinka --extrapolate -o outside.toml
 answers 2 '--sigma_y_Pa is required' "$platen" predict --E_Pa 1e9 --nu 0.3
 answers 2 'not both' "$platen" predict base-case --nu 0.3
+answers 0 'sigma_y = hardness/2.8 = 7e+08 Pa' "$platen" predict --E_Pa 2e11 --nu 0.3 --hardness_Pa 1.96e9 -o predicted.toml
+answers 2 'partly elastic' "$platen" predict --E_Pa 2e9 --nu 0.3 --hardness_Pa 2e8
+answers 0 'sigma_y = 1.96' "$platen" predict --E_Pa 2e9 --nu 0.3 --crush_force_N 26.6 --crush_overlap_m 1e-4 --radius_m 1e-3 -o predicted.toml
+answers 2 'more than E allows' "$platen" predict --E_Pa 2e9 --nu 0.3 --crush_force_N 1e4 --crush_overlap_m 1e-4 --radius_m 1e-3
+answers 2 '--crush_overlap_m is required' "$platen" predict --E_Pa 2e9 --nu 0.3 --crush_force_N 10
+answers 2 'each says the yield stress' "$platen" predict --E_Pa 2e9 --nu 0.3 --sigma_y_Pa 2e7 --hardness_Pa 6e7
 answers 2 'nu' "$platen" predict --E_Pa 1e9 --nu 0.6 --sigma_y_Pa 1e5
-answers 2 'no pool has drucker-prager materials' "$platen" predict wang-type-1
+answers 0 'law wang from 162 grains' "$platen" predict wang-type-1 -o rock.toml
+answers 0 'variant = "fitted"' cat rock.toml
+answers 2 'it is wang that is predicted' "$platen" predict wang-type-1 --law pressed -o rock.toml
+answers 2 'nu = 0.38 is not in 0.1 to 0.3' "$platen" predict sandstone-wang-3-4 -o outside.toml
 answers 2 'nu = 0.435 is not in 0.2' "$platen" predict lead-ludwik
 answers 2 "did you mean 'pressed'?" "$platen" predict base-case --law presed
 
@@ -437,7 +467,7 @@ same predicted.toml piped.toml
 "$platen" eval - -p radius_m=1e-3 --overlap 0:1e-5:3 <predicted.toml >piped
 same named piped
 answers 2 'wrong_Pa' "$platen" --quiet eval hertz -p wrong_Pa=1 --overlap 1
-"$platen" completion bash >complete.sh && completed=$(bash -c '. ./complete.sh; COMP_WORDS=(platen study r); COMP_CWORD=2; _platen
+"$platen" completion bash >complete.sh && completed=$(bash -c '. ./complete.sh; COMP_WORDS=(platen study ru); COMP_CWORD=2; _platen
   echo "${COMPREPLY[*]}"; COMP_WORDS=(platen predict mcc --la); COMP_CWORD=3; _platen; echo "${COMPREPLY[*]}"')
 [ "$completed" = $'run\n--law' ] || { failures=$((failures + 1)); echo "FAILED: bash completes $completed"; }
 answers 0 'bashcompinit' "$platen" completion zsh

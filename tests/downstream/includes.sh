@@ -9,7 +9,7 @@ declare -A stands_on=(
   [fit]='press fe material core' [plot]='fit press fe material core' [measure]='plot fit press fe material core'
   [study]='fit press fe material core' [surrogate]='study fit press fe material core'
   [calibrate]='surrogate study measure plot fit press fe material core'
-  [reproduce]='study plot fit press fe material core'
+  [reproduce]='surrogate study plot fit press fe material core'
   [app]='reproduce plot calibrate surrogate study measure dem fit press fe material core')
 status=0
 for folder in src/*/; do

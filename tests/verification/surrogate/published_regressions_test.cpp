@@ -1,15 +1,12 @@
-// The regressions that Edmans & Sinka publish (Appendix A), as printed and with two coefficients mended,
-// beside the surrogate on the same pool: what is gained by interpolating curves instead of parameters.
+// Ways to predict the granules of Edmans & Sinka's design, side by side: the table of
+// docs/explanation/predict.md, which `platen study methods` prints.
 
-#include "fit/samples.hpp"
-#include "platen/law/edmans_sinka_appendix.hpp"
-#include "surrogate/surrogate.hpp"
+#include "surrogate/methods.hpp"
+
+#include "core/error.hpp"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <filesystem>
 
 namespace platen::surrogate {
@@ -17,38 +14,43 @@ namespace {
 
 const std::filesystem::path pools = std::filesystem::path(PLATEN_SOURCE_DIR) / "catalogue/pools";
 
-struct Figures {
-  double median, p95, worst;
-};
-
-/// Relative L2 of law (6) with the parameters of the regressions, over the materials for which they are
-/// meant.
-Figures of_appendix(const PoolData& data, law::Coefficients coefficients) {
-  std::vector<double> errors;
-  for (const auto& run : data.runs) {
-    const double E_bar = run.description.numbers[1].value, Gamma_bar = run.description.numbers[3].value;
-    if (E_bar < 4.5) continue;
-    const auto p = law::edmans_sinka_appendix(Gamma_bar, E_bar, coefficients);
-    std::vector<double> F_bar;
-    for (const double x : data.knots)
-      F_bar.push_back(x <= p.delta_t ? p.k * x : p.k * p.delta_t * std::exp(p.a * (x - p.delta_t)));
-    errors.push_back(
-        fit::errors({data.knots, run.F_bar, fit::trapezoid_weights(data.knots, 0)}, F_bar).relative_l2);
-  }
-  std::sort(errors.begin(), errors.end());
-  const Figures f{errors[errors.size() / 2], errors[errors.size() * 95 / 100], errors.back()};
-  std::printf("  %zu materials: median %.1f %%, 95 %% %.1f %%, worst %.1f %%\n", errors.size(),
-              100 * f.median, 100 * f.p95, 100 * f.worst);
-  return f;
+Method named(const std::vector<Method>& methods, const std::string& name) {
+  for (const auto& m : methods)
+    if (m.name == name) return m;
+  ADD_FAILURE() << name;
+  return {};
 }
 
-TEST(PublishedRegressions, AreFurtherOffThanTheSurrogate) {
-  const auto data = read_pool_data(pools / "edmans-sinka");
-  const auto s = read_surrogate(pools / "edmans-sinka/surrogate.txt");
-  const auto printed = of_appendix(data, law::Coefficients::printed);
-  const auto mended = of_appendix(data, law::Coefficients::corrected);
-  EXPECT_LT(mended.median, 0.5 * printed.median);
-  EXPECT_LT(10 * s.left_out.force.median, mended.median);
+TEST(Methods, OfEdmansAndSinkaSideBySide) {
+  auto data = read_pool_data(pools / "edmans-sinka");
+  append(data, read_pool_data(pools / "edmans-sinka-between"));
+  const auto m = methods_side_by_side(read_surrogate(pools / "edmans-sinka/surrogate.txt"), data);
+  const auto force = [&](const char* name) { return named(m.loading, name).force; };
+  EXPECT_GT(force("(A.1) to (A.3) as printed").median, 0.6);
+  EXPECT_NEAR(force("(A.1) to (A.3), two misprints mended").median, 0.106, 0.01);
+  EXPECT_NEAR(force("(A.1) to (A.3), refitted").median, 0.102, 0.01);
+  EXPECT_NEAR(force("k, delta_t, a by stepwise regression").median, 0.060, 0.006);
+  EXPECT_NEAR(force("the form (6), fitted to each curve").median, 0.0194, 0.002);
+  EXPECT_NEAR(force("natural neighbours of the curve").median, 0.0169, 0.002);
+  EXPECT_LT(force("natural neighbours of the curve").p95, 0.07);
+  EXPECT_LT(force("surrogate").median, 0.004);
+  EXPECT_LT(force("surrogate").p95, 0.011);
+  EXPECT_LT(force("surrogate").worst, 0.03);
+  const auto work = [&](const char* name) { return named(m.unloading, name).work; };
+  EXPECT_NEAR(work("closed form over delta_bar, E_bar/Gamma_bar").median, 0.035, 0.004);
+  EXPECT_LT(work("closed form over delta_bar, E_bar/Gamma_bar").p95, 0.16);
+  EXPECT_LT(work("the form (13), fitted to each branch").p95, 0.007);
+  EXPECT_LT(work("natural neighbours of work and alpha").p95, 0.03);
+  EXPECT_LT(work("surrogate").median, 0.003);
+  EXPECT_LT(work("surrogate").p95, 0.012);
+  ASSERT_EQ(m.forms.size(), 2U);
+  for (const auto& form : m.forms) EXPECT_EQ(form.terms.size(), form.coefficients.size());
+}
+
+TEST(Methods, RefuseMetals) {
+  const auto data = read_pool_data(pools / "von-mises");
+  EXPECT_THROW(methods_side_by_side(read_surrogate(pools / "von-mises/surrogate.txt"), data),
+               core::InvalidInput);
 }
 
 } // namespace

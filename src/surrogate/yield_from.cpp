@@ -1,0 +1,75 @@
+#include "surrogate/yield_from.hpp"
+
+#include "core/error.hpp"
+#include "surrogate/assess.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace platen::surrogate {
+namespace {
+
+Description metal(double E, double nu, double sigma_y) {
+  return describe(material::VonMises{E, nu, sigma_y, material::PerfectlyPlastic{}});
+}
+
+void refuse_unless_elastic(double E, double nu) {
+  if (!(E > 0) || !(nu >= 0 && nu < 0.5))
+    throw core::InvalidInput(
+        fmt::format("E_Pa = {:.4g}, nu = {:.4g}: E_Pa must be above 0, nu in [0, 0.5)", E, nu));
+}
+
+} // namespace
+
+double yield_from_hardness(double E, double nu, double H) {
+  constexpr double tabor = 2.8, fully_plastic = 30, slope = 0.358; // tan(19.7 degrees)
+  refuse_unless_elastic(E, nu);
+  if (!(H > 0)) throw core::InvalidInput(fmt::format("hardness_Pa = {:.4g} is not above 0", H));
+  const double sigma_y = H / tabor, reached = E / (1 - nu * nu) * slope / sigma_y;
+  if (reached < fully_plastic)
+    throw core::InvalidInput(
+        fmt::format("hardness_Pa = {:.4g} with E_Pa = {:.4g}: such an indentation is partly elastic (E "
+                    "tan(19.7 deg)/((1 - nu^2) sigma_y) = "
+                    "{:.3g}, below {}), and H = {} sigma_y does not hold; give --sigma_y_Pa",
+                    H, E, reached, fully_plastic, tabor));
+  return sigma_y;
+}
+
+double yield_from_crushing(double E, double nu, double F, double delta, double R) {
+  refuse_unless_elastic(E, nu);
+  if (!(R > 0) || !(F > 0) || !(delta / R >= 0.01 && delta / R <= 0.5))
+    throw core::InvalidInput(fmt::format(
+        "a force of {:.4g} N at {:.4g} m of a sphere of R = {:.4g} m: the overlap, of one plate, must "
+        "be 0.01 to 0.5 of R, all above 0",
+        F, delta, R));
+  const auto pools = catalogue_surrogates("von-mises");
+  if (pools.empty()) throw core::InvalidInput("the catalogue has no surrogate of perfectly plastic metals");
+  const Surrogate& s = pools.front();
+  const auto force = [&](double sigma_y) {
+    const auto p = predict(s, metal(E, nu, sigma_y));
+    std::size_t above = 0;
+    while (above + 1 < s.knots.size() && s.knots[above] < delta / R) ++above;
+    const std::size_t below = above > 0 ? above - 1 : 0;
+    const double part =
+        above > below ? std::log(delta / R / s.knots[below]) / std::log(s.knots[above] / s.knots[below]) : 0;
+    return std::numbers::pi * R * R * sigma_y * p.F_bar[below] *
+           std::pow(p.F_bar[above] / p.F_bar[below], part);
+  };
+  double weak = E / s.ranges[0].high, strong = E / s.ranges[0].low;
+  const double least = force(weak), most = force(strong);
+  if (F < least || F > most)
+    throw core::InvalidInput(fmt::format("a force of {:.4g} N at {:.4g} m of a sphere of R = {:.4g} m with "
+                                         "E_Pa = {:.4g}: perfectly plastic materials of E/sigma_y from "
+                                         "{:.3g} to {:.3g} carry {:.3g} to {:.3g} N there{}",
+                                         F, delta, R, E, s.ranges[0].low, s.ranges[0].high, least, most,
+                                         F > most ? "; more than that is more than E allows" : ""));
+  for (int i = 0; i < 60; ++i) {
+    const double middle = std::sqrt(weak * strong);
+    (force(middle) < F ? weak : strong) = middle;
+  }
+  return std::sqrt(weak * strong);
+}
+
+} // namespace platen::surrogate

@@ -1,0 +1,42 @@
+#include "surrogate/yield_from.hpp"
+
+#include "core/error.hpp"
+#include "surrogate/assess.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace platen::surrogate {
+namespace {
+
+TEST(YieldFromHardness, IsTabors) {
+  EXPECT_NEAR(yield_from_hardness(2e11, 0.3, 1.96e9), 0.7e9, 1e-3 * 0.7e9);
+}
+
+TEST(YieldFromHardness, IsRefusedWhereTheIndentationIsPartlyElastic) {
+  EXPECT_THROW(yield_from_hardness(2e9, 0.35, 2e8), core::InvalidInput); // a glassy polymer
+  EXPECT_THROW(yield_from_hardness(2e11, 0.3, -1), core::InvalidInput);
+  EXPECT_THROW(yield_from_hardness(2e11, 0.6, 1e9), core::InvalidInput);
+}
+
+// CalculiX 2.20, three meshes: von Mises, E/sigma_y = 100, nu = 0.3, F/(pi R^2 sigma_y) at delta/R.
+TEST(YieldFromCrushing, GivesBackTheStressOfAKnownSphere) {
+  constexpr double sigma_y = 2e7, E = 100 * sigma_y, R = 1e-3;
+  for (const auto& [x, F_bar] :
+       {std::pair{0.05, 0.2209}, {0.1, 0.423}, {0.2, 0.611}, {0.3, 0.749}, {0.4, 0.939}}) {
+    const double F = std::numbers::pi * R * R * sigma_y * F_bar;
+    EXPECT_NEAR(yield_from_crushing(E, 0.3, F, x * R, R), sigma_y, 0.03 * sigma_y) << x;
+  }
+}
+
+TEST(YieldFromCrushing, RefusesWhatNoYieldStressGives) {
+  constexpr double E = 2e9, R = 1e-3;
+  EXPECT_THROW(yield_from_crushing(E, 0.3, 1e4, 1e-4, R), core::InvalidInput);  // more than E allows
+  EXPECT_THROW(yield_from_crushing(E, 0.3, 1e-4, 1e-4, R), core::InvalidInput); // next to nothing
+  EXPECT_THROW(yield_from_crushing(E, 0.3, 10, 0.9e-3, R), core::InvalidInput); // too far
+}
+
+} // namespace
+} // namespace platen::surrogate
