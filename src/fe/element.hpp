@@ -9,23 +9,12 @@
 #include "fe/mesh.hpp"
 #include "material/update.hpp"
 
-#include <algorithm>
 #include <array>
 #include <concepts>
 
 namespace platen::fe {
 
 using PrincipalStrains = std::array<double, 3>;
-
-/// What is added to the shear stiffness of points that flow, as a multiple of their Mises stress q and up to
-/// a limit (Pa): it makes Newton's corrections smaller, not its solution another. In units of q and not of G:
-/// what a correction may do to the flow does not depend on how stiff the material is beside its strength.
-struct Stiffening {
-  double per_q = 0, most_Pa = 0;
-  double of(const material::PointUpdate& point) const {
-    return point.zone == material::Zone::elastic ? 0 : std::min(per_q * point.q, most_Pa);
-  }
-};
 
 /// All functions are of one element; lengths in R0, stresses in Pa.
 template <class E>
@@ -45,8 +34,8 @@ concept Element = requires(const typename E::Shape& shape, typename E::Kinematic
   { E::strain(moved, point, state) } -> std::same_as<PrincipalStrains>;
   /// Writes the internal forces on the unknowns of the element.
   {E::forces(shape, moved, updates, out)};
-  /// By columns.
-  {E::tangent(shape, moved, updates, Stiffening{}, out)};
+  /// By columns; where material flows, 2 G stiffer in shear by the last number (Pa).
+  {E::tangent(shape, moved, updates, 0.0, out)};
   { E::updated(moved, point, *updates) } -> std::same_as<typename E::State>;
   { E::cauchy(moved, point, *updates) } -> std::same_as<typename E::Stress>;
   /// The state that flow at a constant rate from one to another reaches after a factor of that way.

@@ -81,8 +81,7 @@ template <Element E> Cause Equilibrium<E>::linearise(const Iterate& iterate) {
   // turn the small elements there inside out. The addition goes with the residual: the last corrections are
   // Newton's own.
   relative = iterate.relative;
-  const double two_G = material::initial_E(solid.model) / (1 + material::initial_nu(solid.model));
-  solid.linearise(answer, {16 * relative, 0.3 * two_G}, matrices);
+  solid.linearise(answer, std::min(0.1 * relative, 0.3), matrices);
   {
     Stopwatch watch(answer.times.assembly_s);
     contact.add_tangent(iterate.touching, conditions->memory, matrices);

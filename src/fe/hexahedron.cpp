@@ -115,11 +115,11 @@ void Hexahedron::forces(const Shape& s, const Kinematics& moved, const material:
 //   lbar_AA C_AB lbar_BB + (l_AB + l_BA)(beta_AB l_AB + beta_BA l_BA) - tau_A l_Ak l_kA + tau_m tr(l l)
 //   + P [(1/v) int (tr l tr l - tr(l l)) dv - b b]
 // with tau_m = tr(tau)/3, P = int tau_m dV, b = d(ln J_bar)/du, lbar_AA = l_AA + (b - tr l)/3. What is of the
-// point alone is one tensor T_ijkl l_ij l_kl; the rest are products with b. `added` goes with the
-// deviatoric projection to D.
+// point alone is one tensor T_ijkl l_ij l_kl; the rest are products with b. Where material flows, two_G_added
+// times the deviatoric projection is added to D.
 PLATEN_VECTOR_CLONES
 void Hexahedron::tangent(const Shape& s, const Kinematics& moved, const material::PointUpdate* updates,
-                         const Stiffening& added, double* K) {
+                         double two_G_added, double* K) {
   const double J_bar = moved.J_bar, v = J_bar * s.whole_volume;
   // Unknowns component by component, so that the nodes lie side by side; sorted by nodes at the end.
   double by_component[24][24] = {}, b[24] = {}, left[24] = {}, right[24] = {}, both = 0, P = 0;
@@ -139,7 +139,7 @@ void Hexahedron::tangent(const Shape& s, const Kinematics& moved, const material
     for (int a = 0; a < 8; ++a)
       for (int i = 0; i < 3; ++i) along[i][a] = k.grad[a][i];
     double tau[3], C[3][3], row[3] = {}, column[3] = {}, sum = 0;
-    const double stiffer = added.of(point);
+    const double stiffer = point.zone == material::Zone::elastic ? 0 : two_G_added;
     for (int A = 0; A < 3; ++A) {
       tau[A] = w * J_bar * point.sigma[A];
       for (int B = 0; B < 3; ++B) {

@@ -72,7 +72,7 @@ inline constexpr double diverged = 1e3;
 /// Line search: the work of the residual on the correction may overshoot by this share of what it was
 /// (Matthies & Strang 1979 ask 0.5). How often the correction is shortened.
 inline constexpr double work_left = 0.5;
-inline constexpr int searches_max = 5;
+inline constexpr int searches_max = 3;
 
 /// Solves from the guess in x, with a line search where the work of the residual does not fall. Where the
 /// report says that it did not converge, x is unspecified.

@@ -123,11 +123,11 @@ void Quad::forces(const Shape& s, const Kinematics& k, const material::PointUpda
 // Written in the principal axes of b_e^tr, where l_AB = d(u_A)/d(x_B) of a nodal unknown:
 //   lbar_AA C_AB lbar_BB + (l_12 + l_21)(beta_1 l_12 + beta_2 l_21) - tau_A l_Ak l_kA + tau_m tr(l l)
 //   + P [(1/v) int (tr l tr l - tr(l l)) dv - b b]
-// with tau_m = tr(tau)/3, P = int tau_m dV, b = d(ln J_bar)/du, lbar_AA = l_AA + (b - tr l)/3. `added` goes
-// with the deviatoric projection to D.
+// with tau_m = tr(tau)/3, P = int tau_m dV, b = d(ln J_bar)/du, lbar_AA = l_AA + (b - tr l)/3. Where material
+// flows, two_G_added times the deviatoric projection is added to D.
 PLATEN_VECTOR_CLONES
 void Quad::tangent(const Shape& s, const Kinematics& k, const material::PointUpdate* updates,
-                   const Stiffening& added, double* K) {
+                   double two_G_added, double* K) {
   const double v = k.J_bar * s.whole_volume;
   double tr[points][8], b[8] = {}, P = 0;
   // The matrix is a sum of products of a vector with a transposed vector: nine a Gauss point, and the mean
@@ -159,7 +159,7 @@ void Quad::tangent(const Shape& s, const Kinematics& k, const material::PointUpd
       ltt[2 * a] = k.N_over_r[a][g], ltt[2 * a + 1] = 0;
     }
     double tau[3], C[3][3];
-    const double stiffer = added.of(point);
+    const double stiffer = point.zone == material::Zone::elastic ? 0 : two_G_added;
     for (int A = 0; A < 3; ++A) {
       tau[A] = w * k.J_bar * point.sigma[A];
       for (int B = 0; B < 3; ++B)

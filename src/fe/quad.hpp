@@ -36,7 +36,7 @@ struct Quad {
   static bool deform(const Shape&, const double* u, Kinematics&);
   static PrincipalStrains strain(Kinematics&, int point, const State&);
   static void forces(const Shape&, const Kinematics&, const material::PointUpdate*, double* force);
-  static void tangent(const Shape&, const Kinematics&, const material::PointUpdate*, const Stiffening&,
+  static void tangent(const Shape&, const Kinematics&, const material::PointUpdate*, double two_G_added,
                       double* K);
   static State updated(const Kinematics&, int point, const material::PointUpdate&);
   static Stress cauchy(const Kinematics&, int point, const material::PointUpdate&);

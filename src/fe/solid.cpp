@@ -74,10 +74,11 @@ Evaluation Solid<E>::evaluate(std::span<const double> u, std::span<const State> 
 }
 
 template <Element E>
-void Solid<E>::linearise(Response<E>& r, const Stiffening& added, std::span<double> matrices) const {
+void Solid<E>::linearise(Response<E>& r, double added, std::span<double> matrices) const {
   Stopwatch watch(r.times.assembly_s);
+  const double two_G_added = added * material::initial_E(model) / (1 + material::initial_nu(model));
   for (int e = 0; e < elements(); ++e)
-    E::tangent(shapes[e], r.kinematics[e], &r.updates[E::points * e], added,
+    E::tangent(shapes[e], r.kinematics[e], &r.updates[E::points * e], two_G_added,
                &matrices[static_cast<std::size_t>(E::unknowns * E::unknowns) * e]);
 }
 

@@ -57,8 +57,9 @@ template <Element E> class Solid {
   /// fails the rest is unspecified.
   [[nodiscard]] Evaluation evaluate(std::span<const double> u, std::span<const State> start,
                                     Response<E>&) const;
-  /// The tangent there: element matrices by columns.
-  void linearise(Response<E>&, const Stiffening& added, std::span<double> matrices) const;
+  /// The tangent there: element matrices by columns. Where material flows it is stiffer by `added` of the
+  /// initial elastic shear stiffness, which makes Newton's corrections smaller, not its solution another.
+  void linearise(Response<E>&, double added, std::span<double> matrices) const;
 
  private:
   std::vector<typename E::Shape> shapes;

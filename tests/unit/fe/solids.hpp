@@ -18,7 +18,7 @@ template <fe::Element E> struct Held {
         tangent(E::unknowns * E::unknowns * solid.elements()) {}
 
   fe::Evaluation evaluate(const std::vector<double>& u) { return solid.evaluate(u, start, response); }
-  void linearise(fe::Stiffening added = {}) { solid.linearise(response, added, tangent); }
+  void linearise(double added = 0) { solid.linearise(response, added, tangent); }
   /// What was reached is where the next evaluation starts.
   void commit() {
     for (int i = 0; i < solid.points(); ++i) start[i] = response.state(i);
