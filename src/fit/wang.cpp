@@ -119,7 +119,7 @@ FormFit exponential(const Samples& s) {
 void fit_branches(const press::Curve& curve, WangFit& fit) {
   const UnloadingFits branches = fit_unloading(curve);
   fit.branches = branches.fits;
-  fit.skipped = branches.skipped;
+  fit.notes.insert(fit.notes.end(), branches.skipped.begin(), branches.skipped.end());
   const double force_unit =
       fit.F_y_N / (std::numbers::pi * curve.radius_m * curve.radius_m * curve.sigma_ref_Pa);
   const double delta_y = fit.delta_y_m / curve.radius_m;
@@ -242,7 +242,16 @@ WangFit fit_wang(const press::Curve& pressed) {
   fit.rmse = rmse(samples, law.values);
   fit.points = samples.size();
   fit.omega_max = samples.delta_bar.back();
-  fit.others = {exponential(samples), polynomial(samples, "parabola", 2), polynomial(samples, "cubic", 3)};
+  if (fit.points < wang_enough_points) {
+    fit.caveat = fmt::format(
+        "{} points of the loading lie beyond first yield, F_y = {:.4g} N, and the last at {:.3g} F_y: "
+        "a and b say what is between, and little of what follows",
+        fit.points, yield.F_N, samples.F_bar.back());
+    fit.notes.push_back(fit.caveat);
+  }
+  fit.others = {exponential(samples)};
+  if (fit.points > 3) fit.others.push_back(polynomial(samples, "parabola", 2));
+  if (fit.points > 4) fit.others.push_back(polynomial(samples, "cubic", 3));
   fit_branches(curve, fit);
   fit_branches_together(curve, fit);
   return fit;
@@ -271,6 +280,7 @@ LawCard law_card(const press::Curve& curve, const WangFit& fit, std::string_view
                      {"approach", std::string("Hertz-consistent, far field of the sphere taken out")},
                      {"curve_sha256", core::sha256(curve_text)},
                      {"engine", curve.engine}};
+  if (!fit.caveat.empty()) card.provenance.emplace_back("caveat", fit.caveat);
   return card;
 }
 
