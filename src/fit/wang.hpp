@@ -37,10 +37,10 @@ struct FirstYield {
 };
 FirstYield first_yield(double E_Pa, double nu, double phi_deg, double sigma_c_Pa, double radius_m);
 
-/// Points of the loading branch from first yield on, over the Hertz-consistent overlap. A fit wants one more
-/// than it has parameters; fewer than `enough` are said.
+/// Points of the loading branch from first yield on, over the Hertz-consistent overlap. With as few
+/// as a and b are, first yield itself is the third; fewer than `enough` are said.
 std::size_t points_beyond(const press::Curve&, const FirstYield&);
-inline constexpr std::size_t wang_fewest_points = 3, wang_enough_points = 8;
+inline constexpr std::size_t wang_fewest_points = 2, wang_enough_points = 8;
 
 struct WangFit {
   double F_y_N = 0;
@@ -65,7 +65,7 @@ struct WangFit {
 /// formula where the curve is a measured one.
 press::Curve hertz_consistent(const press::Curve&);
 
-/// Throws core::InvalidInput where the curve lacks E, nu, phi_deg or sigma_c, or has fewer than three points
+/// Throws core::InvalidInput where the curve lacks E, nu, phi_deg or sigma_c, or has fewer than two points
 /// beyond first yield.
 WangFit fit_wang(const press::Curve&);
 

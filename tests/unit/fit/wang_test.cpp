@@ -122,6 +122,15 @@ TEST(WangFit, SaysWhatFewPointsBeyondYieldCan) {
     EXPECT_LE(fit.others.size(), 3u);
   }
   EXPECT_TRUE(fit::fit_wang(made(1.02, 1.43, 0.6, 1.38).curve).caveat.empty());
+  Made m = made(1, 1.45, 0.6, 1.38); // two, and first yield itself
+  m.curve.points.resize(5);
+  const auto fit = fit::fit_wang(m.curve);
+  EXPECT_EQ(fit.points, 2u);
+  EXPECT_NEAR(fit.a, 1, 1e-6);
+  EXPECT_NEAR(fit.b, 1.45, 1e-6);
+  EXPECT_NE(fit.caveat.find("first yield itself"), std::string::npos);
+  m.curve.points.resize(4);
+  EXPECT_THROW(fit::fit_wang(m.curve), core::InvalidInput);
 }
 
 TEST(WangFit, CardHoldsOutsideTheMaterialsOfTable1) { // which are those of the coefficients of Table 2
