@@ -251,7 +251,7 @@ WangFit fit_wang(const press::Curve& pressed) {
         "{} points of the loading lie beyond first yield, F_y = {:.4g} N, and the last at {:.3g} F_y: "
         "a and b say what is between{}, and little of what follows",
         fit.points, yield.F_N, samples.F_bar.back(),
-        fit.points < samples.size() ? ", with first yield itself," : "");
+        fit.points < samples.size() ? " (first yield itself is the third)" : "");
     fit.notes.push_back(fit.caveat);
   }
   fit.others = {exponential(samples)};
