@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 using namespace LAMMPS_NS;
 namespace dem = platen::dem;
@@ -222,7 +223,12 @@ void PairPlaten::warn_beyond(bool last) {
 void PairPlaten::compute(int eflag, int vflag) {
   ev_init(eflag, vflag);
   platen_try(
-      error, FLERR, "Pair platen", [&] { contacts(); }, true);
+      error, FLERR, "Pair platen",
+      [&] {
+        contacts();
+        if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
+      },
+      true);
   if (neighbor->ago == 0) warn_beyond(false); // on all ranks alike
 }
 
@@ -281,7 +287,14 @@ PLATEN_HOT void PairPlaten::laws_of(Block& block) {
   for (int c = 0; c < block.count; c++) {
     dem::Memory& m = *block.memory[c];
     dem::Laws& laws = *block.laws[c];
-    const dem::Laws::At here = at(laws, block.i[c], block.j[c]);
+    dem::Laws::At here;
+    try {
+      here = at(laws, block.i[c], block.j[c]);
+    } catch (...) { // none leaves a function that was cloned: GCC 12 ends the program there
+      failure_ = std::current_exception();
+      block.count = 0;
+      return;
+    }
     const double before = m.gamma_max;
     const law::Response now = dem::respond(here, before, (block.reach[c] - block.r[c]) * length);
     m.gamma_max = now.state.gamma_max;
