@@ -4,6 +4,8 @@
 #include "dem/contacts.hpp"
 #include "host.hpp"
 
+#include <exception>
+
 namespace LAMMPS_NS {
 
 class PairPlaten : public Pair {
@@ -42,6 +44,7 @@ class PairPlaten : public Pair {
   std::vector<platen::dem::Contact> contacts_;
   std::vector<int> contact_of_types_;
   std::vector<std::unique_ptr<platen::dem::Laws>> laws_; // of each pair_coeff
+  std::exception_ptr failure_; ///< of a law that could not be made within the loop over contacts
   std::vector<platen::dem::Laws*> laws_of_types_;        // [type * (types + 1) + type]; null: none
   platen::dem::Units units_;
   std::vector<double> largest_radius_;

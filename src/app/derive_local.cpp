@@ -34,7 +34,7 @@ void derive_local(const LocalDerivation& d) {
   const press::Result result = press_into(c, folder, Fields::pictures).result;
   print_flags(result);
   const fit::WangFit fit = fit::fit_wang(result.curve);
-  for (const auto& sentence : fit.skipped) core::say_line(fmt::format("note: {}", sentence));
+  for (const auto& sentence : fit.notes) core::say_line(fmt::format("note: {}", sentence));
   core::write_file(folder / "law.toml",
                    text_of(fit::law_card(result.curve, fit, press::curve_csv(result.curve))));
   draw_wang_fit(result.curve, fit, folder / "curve.svg");

@@ -18,7 +18,7 @@ namespace {
 struct Options {
   LawArguments law;
   std::string overlap, path, output;
-  bool json = false;
+  bool exact = false, json = false;
 };
 
 constexpr const char* branch_names[] = {"separated", "loading", "unloading", "reloading"};
@@ -75,7 +75,8 @@ void eval(const Options& options) {
   law::State state;
   std::size_t outside = 0;
   for (double overlap : asked_overlaps(options)) {
-    law::Response response = law::evaluate(law, state, overlap);
+    law::Response response =
+        options.exact ? law.formulas(state, overlap) : law::evaluate(law, state, overlap);
     state = response.state;
     response.in_range = response.in_range && state.gamma_max <= limit;
     outside += !response.in_range;
@@ -98,6 +99,8 @@ void add_eval(Command program) {
   command.add_option("--overlap", options->overlap, "FROM:TO:COUNT [m], both ends included, or one overlap");
   command.add_option("--path", options->path, "CSV with the column overlap_m; the state is carried along");
   command.add_option("-o", options->output, "file to write instead of printing");
+  command.add_flag("--exact", options->exact,
+                   "by the law's formulas instead of the table that contact loops run, 1e-4 from them");
   command.add_flag("--json", options->json, "for a machine to read");
   command.footer("Overlap is the approach of the two centres; with --against plane that of the centre.\n"
                  "Example: platen eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-5:11");

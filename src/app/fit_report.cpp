@@ -43,6 +43,12 @@ Json each(const fit::UnloadingFits& unloading, double fit::UnloadingFit::*value)
   return list;
 }
 
+std::string radius_words(const fit::ContactRadius& radius) {
+  if (radius.a_bar.empty()) return "  the curve has no contact radius: the law takes that of a metal\n";
+  return fmt::format("  contact radius at {} overlaps: relative L2 {:.2f} %, worst row {:.2f} %\n",
+                     radius.a_bar.size(), 100 * radius.relative_l2, 100 * radius.largest);
+}
+
 } // namespace
 
 std::string fit_words(const FittedLaw& law) {
@@ -54,11 +60,11 @@ std::string fit_words(const FittedLaw& law) {
                      "{}{}{}"
                      "  errors: relative L2 {:.2f} %, peak {:.2f} %, area {:.2f} %; R2 = {:.5f}\n"
                      "  in brackets: where the L2 error rises by a tenth\n"
-                     "{}{}",
+                     "{}{}{}",
                      variant_of(law), f.points, f.delta_bar_max, line("k", f.k, f.k_interval),
                      line("delta_t", f.delta_t, f.delta_t_interval), line("a", f.a, f.a_interval),
                      100 * f.errors.relative_l2, 100 * f.errors.e_p, 100 * f.errors.e_a, f.r_squared,
-                     law.verdict.empty() ? "" : fmt::format("  {}\n", law.verdict),
+                     law.verdict.empty() ? "" : fmt::format("  {}\n", law.verdict), radius_words(law.radius),
                      unloading_words(law.unloading));
 }
 
@@ -112,6 +118,11 @@ std::string fit_json(const press::Curve& curve, const FittedLaw& law,
                  {"R2", f.r_squared}}}};
   if (!law.verdict.empty()) json["verdict"] = law.verdict;
   if (pressed) json["pressed"] = pressed_json(*pressed);
+  if (!law.radius.a_bar.empty()) {
+    json["parameters"]["radius_delta_bar"] = law.radius.delta_bar;
+    json["parameters"]["a_bar"] = law.radius.a_bar;
+    json["error"]["radius_l2"] = law.radius.relative_l2;
+  }
   if (!law.unloading.fits.empty()) {
     json["parameters"]["unload_delta_bar"] = each(law.unloading, &Unloading::delta_bar_max);
     json["parameters"]["alpha"] = each(law.unloading, &Unloading::alpha);

@@ -13,8 +13,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <class Fit> bool is_held(const Fit& f, std::string_view key) {
-  return std::find(f.held.begin(), f.held.end(), key) != f.held.end();
+std::string ratio_words(const std::vector<std::string_view>& held,
+                        const std::vector<std::string_view>& on_bound, std::string_view key, double ratio) {
+  if (std::ranges::count(held, key)) return "not fitted";
+  return fmt::format("{:.4g}{}", ratio, std::ranges::count(on_bound, key) ? ", on its bound" : "");
 }
 
 /// Coefficients fitted and published, and how far each is from the curve.
@@ -23,7 +25,7 @@ template <class Fit, class Table> std::string comparison(const Fit& f, const Tab
   for (const auto& c : table) {
     const double fitted = f.fitted.*c.member, published = f.published.*c.member;
     words += fmt::format("  {:<11}  {:<8.5g}  {:<9.5g}  {}\n", c.key, fitted, published,
-                         is_held(f, c.key) ? "not fitted" : fmt::format("{:.4g}", fitted / published));
+                         ratio_words(f.held, f.on_bound, c.key, fitted / published));
   }
   const fit::Deviations &d = f.of_fitted, &e = f.of_published;
   if (d.points == 0)

@@ -86,6 +86,7 @@ AgarwalFit fit_agarwal(const press::Curve& curve) {
   c.l = -std::expm1(-theta[6]);
   for (const auto& range : ranges)
     if (range.held) fit.held.push_back(range.key);
+  fit.on_bound = on_bounds(theta, ranges);
   fit.fitted = c;
   if (rises) fit.Gamma = law::density_product(fit.loading, c.x_min, radius.a_bar(c.x_min));
   fit.of_fitted = deviations(law_of(fit, law::AgarwalVariant::hertz_radius, fit.fitted), rows, fit.loading);

@@ -14,8 +14,9 @@ struct AgarwalFit {
   law::AgarwalCoefficients<double> fitted, published;
   std::vector<std::string_view>
       held; ///< keys that the curve does not determine, left at the published values
-  Deviations of_fitted, of_published; ///< as in the card, variant hertz-radius; variant published
-  std::optional<double> Gamma;        ///< rho_V rho_S (2.28) at the fitted x_min, Fig. 2.17
+  std::vector<std::string_view> on_bound; ///< keys that ended where the search does
+  Deviations of_fitted, of_published;     ///< as in the card, variant hertz-radius; variant published
+  std::optional<double> Gamma;            ///< rho_V rho_S (2.28) at the fitted x_min, Fig. 2.17
   std::optional<double> side_onset;
   std::optional<SideMotion> sides;
 };

@@ -77,8 +77,13 @@ DerivedLaws derive_laws(const press::Result& result, const std::string& variant,
   FittedLaw fitted = fit_law(result.curve, variant, say);
   PressedFit pressed = fit_pressed(result.curve, fitted.unloading);
   const std::string text = press::curve_csv(result.curve);
-  LawCard fitted_card = law_card(result.curve, fitted.loading, fitted.unloading, text);
+  LawCard fitted_card = law_card(result.curve, fitted, text);
   LawCard pressed_card = law_card(result.curve, pressed, text);
+  if (!fitted.loading.on_bound().empty()) {
+    const std::string doubt = "a ended on its bound: the form of edmans-sinka does not follow this curve";
+    say("note: " + doubt);
+    fitted_card.provenance.emplace_back("doubts", doubt);
+  }
   if (result.error)
     for (LawCard* card : {&fitted_card, &pressed_card}) {
       card->errors.emplace_back("press_force", result.error->force);

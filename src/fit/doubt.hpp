@@ -16,9 +16,9 @@ struct Claim {
   std::optional<double> E_Pa, nu;
   std::optional<double> strength_Pa; ///< uniaxial; yield stress, kappa
   std::optional<double> R2;
-  std::vector<std::string> on_bound; ///< parameters that ended on their bound
-  double valid_to = 0.5;             ///< delta/R
-  bool contact_known = false;        ///< the contact point and the zero of the load cell were fitted
+  std::vector<std::string_view> on_bound; ///< parameters that ended on their bound
+  double valid_to = 0.5;                  ///< delta/R
+  bool contact_known = false;             ///< the contact point and the zero of the load cell were fitted
 };
 
 struct Doubt {

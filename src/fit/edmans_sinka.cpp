@@ -97,6 +97,11 @@ std::vector<double> EdmansSinkaFit::F_bar(const std::vector<double>& delta_bar) 
   return result;
 }
 
+std::vector<std::string_view> EdmansSinkaFit::on_bound() const {
+  constexpr double least_a = 1.1e-3, most_a = 49.9; // the search's ends, docs/explanation/edmans-sinka-fit.md
+  return a < least_a || a > most_a ? std::vector<std::string_view>{"a"} : std::vector<std::string_view>{};
+}
+
 std::vector<std::string_view> edmans_sinka_variants() {
   std::vector<std::string_view> names;
   for (const auto& [name, variant] : variants) names.push_back(name);

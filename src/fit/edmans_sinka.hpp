@@ -41,6 +41,7 @@ struct EdmansSinkaFit {
     return result;
   }
   std::vector<double> F_bar(const std::vector<double>& delta_bar) const;
+  std::vector<std::string_view> on_bound() const; ///< keys that ended where the search does
 };
 
 /// The names under which cards and commands know the variants that differ in their curve.

@@ -6,6 +6,7 @@
 #include "platen/law/edmans_sinka.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <string>
 
@@ -41,8 +42,8 @@ std::vector<double> each(const UnloadingFits& unloading, double UnloadingFit::*v
 
 } // namespace
 
-LawCard law_card(const press::Curve& curve, const EdmansSinkaFit& loading, const UnloadingFits& unloading,
-                 std::string_view curve_text) {
+LawCard law_card(const press::Curve& curve, const FittedLaw& fitted, std::string_view curve_text) {
+  const auto& [loading, radius, unloading, verdict] = fitted;
   check_branches(unloading);
   LawCard card;
   card.law = "edmans-sinka";
@@ -55,6 +56,11 @@ LawCard law_card(const press::Curve& curve, const EdmansSinkaFit& loading, const
   card.delta_bar = {0, loading.delta_bar_max};
   card.errors = {
       {"relative_l2", loading.errors.relative_l2}, {"e_p", loading.errors.e_p}, {"e_a", loading.errors.e_a}};
+  if (!radius.a_bar.empty()) {
+    card.parameters["radius_delta_bar"] = fmt::format("{:.6g}", fmt::join(radius.delta_bar, ","));
+    card.parameters["a_bar"] = fmt::format("{:.6g}", fmt::join(radius.a_bar, ","));
+    card.errors.emplace_back("radius_l2", radius.relative_l2);
+  }
   if (!unloading.fits.empty()) {
     card.parameters["unload_delta_bar"] = list_of(each(unloading, &UnloadingFit::delta_bar_max));
     card.parameters["alpha"] = list_of(each(unloading, &UnloadingFit::alpha));

@@ -38,6 +38,7 @@ FittedLaw fit_law(const press::Curve& curve, const std::string& variant, const S
     law.loading = comparison.fits.front();
     law.verdict = comparison.verdict;
   } else law.loading = fit_edmans_sinka(curve, variant);
+  law.radius = fit_contact_radius(curve);
   law.unloading = unloading_of(curve, say);
   return law;
 }

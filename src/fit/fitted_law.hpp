@@ -1,6 +1,7 @@
 #pragma once
 // What `fit` and `derive` make of a curve: the published form with its unloading.
 
+#include "fit/contact_radius.hpp"
 #include "fit/edmans_sinka.hpp"
 #include "fit/unloading.hpp"
 #include "press/curve.hpp"
@@ -15,6 +16,7 @@ using Say = std::function<void(const std::string&)>;
 
 struct FittedLaw {
   EdmansSinkaFit loading;
+  ContactRadius radius;
   UnloadingFits unloading;
   std::string verdict; ///< which form fits best, and by how much; empty where the form was given
 };

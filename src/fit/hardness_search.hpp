@@ -20,6 +20,20 @@ struct SearchRange {
   bool held;
 };
 
+/// Keys of what was found where the search ends, and may lie beyond.
+inline std::vector<std::string_view> on_bounds(const std::vector<double>& theta,
+                                               const std::vector<SearchRange>& ranges) {
+  std::vector<std::string_view> keys;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    const auto& range = ranges[i];
+    const double near = 1e-4 * (range.high - range.low);
+    if (!range.held &&
+        (theta[i] < range.low + std::min(near, 1e-3 * range.low) || theta[i] > range.high - near))
+      keys.push_back(range.key);
+  }
+  return keys;
+}
+
 template <class Law> struct LogHardnessAndForce {
   const Law& law;
   const std::vector<LoadedRow>& rows;

@@ -24,25 +24,6 @@ struct Points {
   std::vector<double> x, F, a;
 };
 
-/// Pool adjacent violators: the growing sequence nearest to y, by at least a hair from one to the next.
-std::vector<double> growing(std::vector<double> y, double least_step) {
-  std::vector<std::pair<double, int>> blocks; // mean, count
-  for (const double v : y) {
-    blocks.emplace_back(v, 1);
-    while (blocks.size() > 1 && blocks[blocks.size() - 2].first > blocks.back().first) {
-      const auto [mean, count] = blocks.back();
-      blocks.pop_back();
-      auto& last = blocks.back();
-      last.first = (last.first * last.second + mean * count) / (last.second + count);
-      last.second += count;
-    }
-  }
-  std::size_t i = 0;
-  for (const auto& [mean, count] : blocks)
-    for (int k = 0; k < count; ++k, ++i) y[i] = mean * (1 + least_step * (k - (count - 1) / 2.0));
-  return y;
-}
-
 Points loading_points(const press::Curve& curve) {
   Points p;
   const press::CurvePoint* end = press::loading_end(curve);

@@ -25,6 +25,9 @@ Samples loading_samples(const press::Curve&);
 /// Trapezoid weights of ascending abscissae; `from` is where the integral starts (at or below the first).
 std::vector<double> trapezoid_weights(const std::vector<double>& x, double from);
 
+/// Pool adjacent violators: the growing sequence nearest to y, by at least a hair from one to the next.
+std::vector<double> growing(std::vector<double> y, double least_step);
+
 /// How far a law is from a branch.
 struct Errors {
   double relative_l2 = 0; ///< (int (F_law - F)^2 d delta_bar)^(1/2) / (int F^2 d delta_bar)^(1/2)

@@ -76,6 +76,7 @@ ShahinFit fit_shahin(const press::Curve& curve) {
   c.H_max = theta[0], c.q = theta[1], c.x_min = theta[2], c.H_min = theta[3], c.L = theta[4];
   for (const auto& range : ranges)
     if (range.held) fit.held.push_back(range.key);
+  fit.on_bound = on_bounds(theta, ranges);
   fit.fitted = c;
   fit.of_fitted = deviations(law_of(fit, fit.fitted), rows, fit.loading);
   fit.of_published = deviations(law_of(fit, fit.published), rows, fit.loading);

@@ -17,6 +17,7 @@ struct ShahinFit {
   law::ShahinCoefficients<double> fitted, published; ///< the latter of the variant hardening-minimum
   std::vector<std::string_view>
       held; ///< keys that the curve does not determine, left at the published values
+  std::vector<std::string_view> on_bound; ///< keys that ended where the search does
   Deviations of_fitted, of_published;
 };
 

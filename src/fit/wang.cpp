@@ -33,21 +33,26 @@ void check(const press::Curve& curve) {
 }
 
 /// Beyond first yield, in units of it.
-Samples plastic_samples(const press::Curve& curve, const WangFit& yield) {
+Samples plastic_samples(const press::Curve& curve, WangFit& fit) {
   Samples samples;
   for (const auto& point : curve.points) {
-    const double omega = point.delta_m / yield.delta_y_m;
+    const double omega = point.delta_m / fit.delta_y_m;
     if (point.branch != press::Branch::loading || !(omega >= 1)) continue;
     if (samples.size() && !(omega > samples.delta_bar.back()))
       throw core::InvalidInput("the loading branch does not ascend in delta");
     samples.delta_bar.push_back(omega);
-    samples.F_bar.push_back(point.force_N / yield.F_y_N);
+    samples.F_bar.push_back(point.force_N / fit.F_y_N);
   }
   if (samples.size() < wang_fewest_points)
     throw core::InvalidInput(
         fmt::format("the loading branch has {} points beyond first yield, F_y = {:.4g} N; a fit of wang "
                     "needs at least {}",
-                    samples.size(), yield.F_y_N, wang_fewest_points));
+                    samples.size(), fit.F_y_N, wang_fewest_points));
+  fit.points = samples.size();
+  if (samples.size() == wang_fewest_points) { // as many as parameters: first yield itself is the third
+    samples.delta_bar.insert(samples.delta_bar.begin(), 1);
+    samples.F_bar.insert(samples.F_bar.begin(), 1);
+  }
   samples.weight = trapezoid_weights(samples.delta_bar, samples.delta_bar.front());
   return samples;
 }
@@ -119,7 +124,7 @@ FormFit exponential(const Samples& s) {
 void fit_branches(const press::Curve& curve, WangFit& fit) {
   const UnloadingFits branches = fit_unloading(curve);
   fit.branches = branches.fits;
-  fit.skipped = branches.skipped;
+  fit.notes.insert(fit.notes.end(), branches.skipped.begin(), branches.skipped.end());
   const double force_unit =
       fit.F_y_N / (std::numbers::pi * curve.radius_m * curve.radius_m * curve.sigma_ref_Pa);
   const double delta_y = fit.delta_y_m / curve.radius_m;
@@ -240,9 +245,18 @@ WangFit fit_wang(const press::Curve& pressed) {
   fit.a = law.c;
   fit.r_squared = r_squared(samples, law.values);
   fit.rmse = rmse(samples, law.values);
-  fit.points = samples.size();
   fit.omega_max = samples.delta_bar.back();
-  fit.others = {exponential(samples), polynomial(samples, "parabola", 2), polynomial(samples, "cubic", 3)};
+  if (fit.points < wang_enough_points) {
+    fit.caveat = fmt::format(
+        "{} points of the loading lie beyond first yield, F_y = {:.4g} N, and the last at {:.3g} F_y: "
+        "a and b say what is between{}, and little of what follows",
+        fit.points, yield.F_N, samples.F_bar.back(),
+        fit.points < samples.size() ? " (first yield itself is the third)" : "");
+    fit.notes.push_back(fit.caveat);
+  }
+  fit.others = {exponential(samples)};
+  if (samples.size() > 3) fit.others.push_back(polynomial(samples, "parabola", 2));
+  if (samples.size() > 4) fit.others.push_back(polynomial(samples, "cubic", 3));
   fit_branches(curve, fit);
   fit_branches_together(curve, fit);
   return fit;
@@ -271,6 +285,7 @@ LawCard law_card(const press::Curve& curve, const WangFit& fit, std::string_view
                      {"approach", std::string("Hertz-consistent, far field of the sphere taken out")},
                      {"curve_sha256", core::sha256(curve_text)},
                      {"engine", curve.engine}};
+  if (!fit.caveat.empty()) card.provenance.emplace_back("caveat", fit.caveat);
   return card;
 }
 

@@ -37,10 +37,10 @@ struct FirstYield {
 };
 FirstYield first_yield(double E_Pa, double nu, double phi_deg, double sigma_c_Pa, double radius_m);
 
-/// Points of the loading branch from first yield on, over the Hertz-consistent overlap; a fit wants so many
-/// at least.
+/// Points of the loading branch from first yield on, over the Hertz-consistent overlap. With as few
+/// as a and b are, first yield itself is the third; fewer than `enough` are said.
 std::size_t points_beyond(const press::Curve&, const FirstYield&);
-inline constexpr std::size_t wang_fewest_points = 8;
+inline constexpr std::size_t wang_fewest_points = 2, wang_enough_points = 8;
 
 struct WangFit {
   double F_y_N = 0;
@@ -49,13 +49,14 @@ struct WangFit {
   double omega_max = 0;   ///< end of the fitted range, which begins at 1
   std::size_t points = 0; ///< in that range
   double r_squared = 0;
-  double rmse = 0;                         ///< of F/F_y
-  std::vector<FormFit> others;             ///< exponential, parabola, cubic polynomial (WG 4.1)
+  double rmse = 0;             ///< of F/F_y
+  std::vector<FormFit> others; ///< exponential, parabola, cubic polynomial (WG 4.1), as the points allow
   std::vector<WangUnloadingFit> unloading; ///< ascending in omega_max
   double m = 0, n = 0; ///< of all branches together, each weighed alike; 0 where there is none
   double unloading_r_squared = 0;
   std::vector<UnloadingFit> branches; ///< the same over the Hertz-consistent overlap, as they were fitted
-  std::vector<std::string> skipped;   ///< branches that are too short
+  std::string caveat;                 ///< where the loading goes hardly beyond first yield; it is in the card
+  std::vector<std::string> notes;     ///< the caveat, and branches that are too short
 
   double F_over_F_y(double omega) const;
 };
@@ -64,7 +65,7 @@ struct WangFit {
 /// formula where the curve is a measured one.
 press::Curve hertz_consistent(const press::Curve&);
 
-/// Throws core::InvalidInput where the curve lacks E, nu, phi_deg or sigma_c, or has fewer than eight points
+/// Throws core::InvalidInput where the curve lacks E, nu, phi_deg or sigma_c, or has fewer than two points
 /// beyond first yield.
 WangFit fit_wang(const press::Curve&);
 

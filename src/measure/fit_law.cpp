@@ -64,13 +64,29 @@ void refuse_without_radius(const press::Curve& curve, const std::string& law, co
                     file, law, law));
 }
 
+/// A press has no doubts of a measurement; what it does not determine is doubted all the same.
+fit::Claim claim_of_bounds(const std::string& file, std::vector<std::string_view> on_bound) {
+  fit::Claim claim;
+  claim.name = file;
+  claim.on_bound = std::move(on_bound);
+  return claim;
+}
+
+/// kappa of a material that hardens otherwise is not the stress at which it yields.
+void refuse_yield_stress_as_kappa(const press::Curve& curve, const std::string& file, const FitOptions& o) {
+  if (o.law == "shahin" && !curve.inverse_m && o.inverse_m && *o.inverse_m > 0 && curve.sigma_ref_Pa > 0 &&
+      !o.sigma_ref_Pa)
+    throw core::InvalidInput(fmt::format(
+        "{} is of a material that does not harden as kappa epsilon^(1/m), and its sigma_ref_Pa = {} is "
+        "where that yields; give the kappa that goes with --inverse_m {} as --sigma_ref_Pa",
+        file, core::number_text(curve.sigma_ref_Pa), core::number_text(*o.inverse_m)));
+}
+
 /// The curve with what edmans-sinka makes of it.
 fit::Claim claim_of_fit(const press::Curve& curve, const fit::EdmansSinkaFit& f, const std::string& file) {
   fit::Claim claim = claim_of(curve, file);
   claim.R2 = f.r_squared;
-  constexpr double least_a = 1.1e-3,
-                   most_a = 49.9; // the search's own ends, docs/explanation/edmans-sinka-fit.md
-  if (f.a < least_a || f.a > most_a) claim.on_bound.push_back("a");
+  claim.on_bound = f.on_bound();
   // Perfectly plastic: F = 2 pi R delta 2.8 sigma_y, so k sigma_ref = 5.6 sigma_y.
   claim.strength_Pa = f.k * curve.sigma_ref_Pa / 5.6;
   return claim;
@@ -93,6 +109,7 @@ Fitting fit_law(const InputCurve& input, const FitOptions& o, const fit::Say& sa
         fmt::format("{} says no reference stress, the {} that {} needs; give --sigma_ref_Pa", file,
                     o.law == "agarwal" ? "yield stress" : "kappa", o.law));
   complete(curve, file, o, say);
+  if (!input.measured) refuse_yield_stress_as_kappa(input.curve, file, o);
   if (input.measured && large_deformation) refuse_without_radius(curve, o.law, file);
   if (input.measured)
     f.doubts = pass(doubts_about(claim_of(curve, file)), o.despite_doubts); // E is known now
@@ -105,19 +122,28 @@ Fitting fit_law(const InputCurve& input, const FitOptions& o, const fit::Say& sa
     if (o.wants_card) f.card = law_card(curve, fitted, input.text);
     f.fit = std::move(fitted);
   };
-  if (o.law == "agarwal") keep(fit::fit_agarwal(curve));
-  else if (o.law == "shahin") keep(fit::fit_shahin(curve));
+  const auto doubt_bounds = [&](const auto& on_bound) { // of a measured curve refused
+    for (auto& doubt :
+         pass(doubts_about(claim_of_bounds(file, on_bound)), o.despite_doubts || !input.measured))
+      f.doubts.push_back(std::move(doubt));
+  };
+  const auto keep_within_bounds = [&](auto fitted) {
+    doubt_bounds(fitted.on_bound);
+    keep(std::move(fitted));
+  };
+  if (o.law == "agarwal") keep_within_bounds(fit::fit_agarwal(curve));
+  else if (o.law == "shahin") keep_within_bounds(fit::fit_shahin(curve));
   else if (o.law == "pressed") keep(fit::fit_pressed(curve, fit::unloading_of(curve, say)));
   else if (o.law == "wang") {
     fit::WangFit fitted = fit::fit_wang(curve);
-    for (const auto& sentence : fitted.skipped) say(fmt::format("note: {}", sentence));
+    for (const auto& sentence : fitted.notes) say(fmt::format("note: {}", sentence));
     keep(std::move(fitted));
   } else {
     fit::FittedLaw fitted = fit::fit_law(curve, o.variant, say);
     if (input.measured)
       f.doubts = pass(doubts_about(claim_of_fit(curve, fitted.loading, file)), o.despite_doubts);
-    if (o.wants_card) f.card = fit::law_card(curve, fitted.loading, fitted.unloading, input.text);
-    f.fit = std::move(fitted);
+    else doubt_bounds(fitted.loading.on_bound());
+    keep(std::move(fitted));
   }
   if (f.card) {
     for (const auto& remark : input.provenance) f.card->provenance.push_back(remark);

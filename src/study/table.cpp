@@ -97,7 +97,7 @@ constexpr std::array wang_columns = {"F_y_N", "delta_y_m", "a", "b", "R2", "m", 
 Cells wang_cells(const press::Curve& curve, std::string_view, const std::vector<double>&) {
   const auto yield = fit::first_yield(curve.E_Pa, curve.nu, curve.phi_deg, curve.sigma_c_Pa, curve.radius_m);
   Cells cells = {yield.F_N, yield.delta_m};
-  if (fit::points_beyond(curve, yield) < fit::wang_fewest_points) {
+  if (fit::points_beyond(curve, yield) < fit::wang_enough_points) {
     append(cells, Cells(wang_columns.size() - cells.size()));
     return cells;
   }

@@ -127,6 +127,7 @@ fit::LawCard edmans_sinka_card(const Answer& answer, const material::Material& m
     press::CurvePoint point;
     point.delta_bar = point.delta_m = h.knots[i];
     point.F_bar = h.F_bar[i];
+    point.contact_radius_m = h.a_bar[i];
     curve.points.push_back(point);
   }
   fit::UnloadingFits unloading;
@@ -138,7 +139,8 @@ fit::LawCard edmans_sinka_card(const Answer& answer, const material::Material& m
     fit.beta = h.beta[b];
     unloading.fits.push_back(fit);
   }
-  auto card = fit::law_card(curve, fit::fit_edmans_sinka(curve, variant), unloading, "");
+  auto card = fit::law_card(
+      curve, {fit::fit_edmans_sinka(curve, variant), fit::fit_contact_radius(curve), unloading, ""}, "");
   std::erase_if(card.errors, [](const auto& error) { return error.first == "unload_R2"; });
   card.errors.emplace_back("predicted_curve", rounded({h.expected})[0]);
   say_where_from(card, answer, h, material);

@@ -247,6 +247,10 @@ answers 2 "did you mean 'wang'" "$platen" laws wan
 answers 0 ',loading,0,true' "$platen" eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-6:3
 answers 0 'warning: 1 of 2 points are outside' "$platen" eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-3:2
 answers 2 'known are: hertz, similarity' "$platen" eval hertzz --overlap 0:1:3
+answers 0 '1e-6,0.0163814' "$platen" eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 1e-6 --exact
+granule=(edmans-sinka -p radius_m=1e-3 -p nu=0.2 -p sigma_ref_Pa=1e7 -p Gamma_bar=1)
+answers 0 '1e-4,6.125' "$platen" eval "${granule[@]}" -p E_Pa=1e9 --overlap 1e-4
+answers 2 'Appendix A holds for E_Pa/sigma_ref_Pa from 4.5 to 500' "$platen" eval "${granule[@]}" -p E_Pa=1e10 --overlap 1e-4
 answers 2 'write -p radius_m=1' "$platen" eval hertz -p radius=1 --overlap 0:1:3
 answers 2 'nu = 0.5 is not in [0, 0.5)' "$platen" eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.5 --overlap 0:1:3
 answers 0 'unloading_exponent' "$platen" export table hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 1e-7:1e-6:3

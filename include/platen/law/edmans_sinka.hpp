@@ -6,15 +6,18 @@
 //   F_bar = k x                          x <= delta_t           x = delta/R, F_bar = F/(pi R^2 sigma_ref)
 //   F_bar = k delta_t exp(a (x-delta_t))  x >  delta_t                                               (6)
 //
-// Valid for x <= 0.5. The paper gives no contact radius: ours is of the form of Shahin's (2.13), fitted to
-// finite elements (von Mises, E/sigma_y = 100), see docs/laws/edmans-sinka.md.
+// Valid for x <= 0.5. The paper gives no contact radius: ours is what the material's press had at a few
+// overlaps; where it is not given, a metal's (docs/laws/edmans-sinka.md).
 
 #include "platen/law/contact.hpp"
+#include "platen/law/edmans_sinka_appendix.hpp"
 #include "platen/law/edmans_sinka_curve.hpp"
 #include "platen/law/pair.hpp"
 #include "platen/law/parameter_reader.hpp"
+#include "platen/law/radius_points.hpp"
 #include "platen/law/radius_polynomial.hpp"
 
+#include <algorithm>
 #include <tuple>
 #include <vector>
 
@@ -34,7 +37,12 @@ struct EdmansSinkaMaterial {
   double a = 0;         ///< (6) [-]
   EdmansSinkaVariant variant = EdmansSinkaVariant::published;
   double corner = 0.5; ///< c1 only, see EdmansSinkaCurve
-  RadiusPolynomial<double> radius = edmans_sinka_radius;
+
+  /// Contact radius over R at these delta/R. None: edmans_sinka_radius.
+  static constexpr int most_radii = RadiusPoints<double>::most;
+  int radii = 0;
+  double radius_delta_bar[most_radii] = {};
+  double a_bar[most_radii] = {};
 
   /// Unloading (9)-(14): alpha and the secant stiffness ratio beta (11) at these delta_bar, linear between,
   /// held outside. None: the generic unloading of contact.hpp.
@@ -57,28 +65,56 @@ struct EdmansSinkaMaterial {
          {"k", "(6), initial slope of F/(pi R^2 sigma_ref) over delta/R", positive},
          {"delta_t", "(6), end of the first branch in delta/R", {0, 1, true, false}},
          {"a", "(6), rate of the exponential branch", {0, 50, true, false}},
+         {"Gamma_bar",
+          "shear over compressive strength, instead of k, delta_t and a: Appendix A at E_Pa/sigma_ref_Pa",
+          {0.25, 1},
+          Of::pair,
+          0},
          {"corner", "c1: half-width of the rounded corner over delta_t", {0, 1, true, true}, Of::pair, 0.5}},
-        {{"unload_delta_bar", "delta/R at which alpha and beta are given, at most 8", ""},
+        {{"radius_delta_bar", "delta/R at which the contact radius is given, at most 8", ""},
+         {"a_bar", "contact radius there over R, never falling", ""},
+         {"unload_delta_bar", "delta/R at which alpha and beta are given, at most 8", ""},
          {"alpha", "unloading exponents (9)", ""},
          {"beta", "secant stiffness ratios (11)", ""}}};
   }
   static EdmansSinkaMaterial read(const Reader& p) {
     EdmansSinkaMaterial m;
     m.sigma_ref = p("sigma_ref_Pa"), m.E = p("E_Pa"), m.nu = p("nu");
-    m.k = p("k"), m.delta_t = p("delta_t"), m.a = p("a"), m.corner = p("corner");
+    m.corner = p("corner");
+    if (p.given("Gamma_bar")) {
+      for (const char* key : {"k", "delta_t", "a"})
+        if (p.given(key))
+          throw BadParameter("edmans-sinka: Gamma_bar says k, delta_t and a: leave either out");
+      const AppendixA from =
+          edmans_sinka_appendix(p("Gamma_bar"), m.E / m.sigma_ref, Coefficients::corrected);
+      if (!from.in_range)
+        throw BadParameter(
+            "edmans-sinka: Appendix A holds for E_Pa/sigma_ref_Pa from 4.5 to 500, and this is " +
+            text(m.E / m.sigma_ref));
+      m.k = from.k, m.delta_t = from.delta_t, m.a = from.a;
+    } else m.k = p("k"), m.delta_t = p("delta_t"), m.a = p("a");
     m.variant = p.variant == "c1"           ? EdmansSinkaVariant::c1
                 : p.variant == "hertz-like" ? EdmansSinkaVariant::hertz_like
                                             : EdmansSinkaVariant::published;
     if (m.variant == EdmansSinkaVariant::c1 && !p.given("corner"))
       m.corner = smaller(0.5, 0.8 / (m.a * m.delta_t));
+    const auto count = [](const char* key, const std::vector<double>& values, int most) {
+      require("edmans-sinka", key, static_cast<double>(values.size()), {0, static_cast<double>(most)});
+      return static_cast<int>(values.size());
+    };
+    const auto at = p.numbers("radius_delta_bar"), a_bars = p.numbers("a_bar");
+    if (at.size() != a_bars.size())
+      throw BadParameter("edmans-sinka: radius_delta_bar and a_bar must have as many values each");
+    m.radii = count("number of radius_delta_bar", at, most_radii);
+    std::copy(at.begin(), at.end(), m.radius_delta_bar);
+    std::copy(a_bars.begin(), a_bars.end(), m.a_bar);
     const auto x = p.numbers("unload_delta_bar"), alphas = p.numbers("alpha"), betas = p.numbers("beta");
     if (x.size() != alphas.size() || x.size() != betas.size())
       throw BadParameter("edmans-sinka: unload_delta_bar, alpha and beta must have as many values each");
-    require("edmans-sinka", "number of unload_delta_bar", static_cast<double>(x.size()),
-            {0, most_unloadings});
-    m.unloadings = static_cast<int>(x.size());
-    for (std::size_t i = 0; i < x.size(); ++i)
-      m.unload_delta_bar[i] = x[i], m.alpha[i] = alphas[i], m.beta[i] = betas[i];
+    m.unloadings = count("number of unload_delta_bar", x, most_unloadings);
+    std::copy(x.begin(), x.end(), m.unload_delta_bar);
+    std::copy(alphas.begin(), alphas.end(), m.alpha);
+    std::copy(betas.begin(), betas.end(), m.beta);
     return m;
   }
 };
@@ -86,10 +122,11 @@ struct EdmansSinkaMaterial {
 template <class Real = double> struct EdmansSinka {
   using Scalar = Real;
   EdmansSinkaCurve<Real> curve;
-  RadiusPolynomial<Real> radius;
+  RadiusPoints<Real> radius;
   Real steepest_in_corner{}; ///< of the rounded corner, c1 only
   Real radius_log_slope{};   ///< least d ln a / d ln x below x_end, hence of the unloading slope
   BasicPair<Real> pair;
+  Real x_valid = Real(EdmansSinkaCurve<Real>::x_valid);
   Real force_scale{};   ///< pi R_e^2 sigma_ref [N]
   Real gamma_elastic{}; ///< 0: the law has no elastic range
   Real gamma_limit{};
@@ -105,20 +142,29 @@ template <class Real = double> struct EdmansSinka {
     const auto point = curve.at(x);
     const bool inside = x < Real(EdmansSinkaCurve<Real>::x_end);
     return {force_scale * point.F_bar, force_scale * pair.x_per_gamma * point.slope,
-            pair.R_e * radius.a_bar(inside ? x : Real(EdmansSinkaCurve<Real>::x_end)),
+            pair.R_e * a_bar(inside ? x : Real(EdmansSinkaCurve<Real>::x_end)),
             curve.steepest_log_slope(x, steepest_in_corner), inside ? radius_log_slope : Real(0)};
+  }
+
+  /// Over R_e.
+  [[nodiscard]] PLATEN_FUNCTION Real a_bar(const Real& x) const {
+    if (radius.points > 0) return radius.a_bar(x);
+    return RadiusPolynomial<Real>{Real(edmans_sinka_radius.D1), Real(edmans_sinka_radius.D3),
+                                  Real(edmans_sinka_radius.D5)}
+        .a_bar(x);
   }
 
   [[nodiscard]] std::vector<double> kinks() const {
     std::vector<double> list;
     for (const double x : curve.kinks()) list.push_back(x / pair.x_per_gamma);
+    for (const double x : radius.kinks()) list.push_back(x / pair.x_per_gamma);
     for (int i = 0; i < unloadings; ++i) list.push_back(unload_x[i] / pair.x_per_gamma);
     return list;
   }
   [[nodiscard]] Real gamma_end() const { return Real(EdmansSinkaCurve<Real>::x_end) / pair.x_per_gamma; }
 
   [[nodiscard]] PLATEN_HOT bool in_range(const Real& gamma) const {
-    return gamma * pair.x_per_gamma <= Real(EdmansSinkaCurve<Real>::x_valid);
+    return gamma * pair.x_per_gamma <= x_valid;
   }
 
   [[nodiscard]] PLATEN_FUNCTION Real work(const Real& gamma) const {
@@ -166,6 +212,12 @@ inline void check(const EdmansSinkaMaterial& m) {
   // (Fritsch-Carlson), which holds for a delta_t corner <= 0.85.
   const bool rounded = m.variant == EdmansSinkaVariant::c1;
   require(name, "corner", m.corner, {0, rounded ? smaller(1.0, 0.85 / (m.a * m.delta_t)) : 1.0, true, true});
+  require(name, "number of radius_delta_bar", m.radii, {0, EdmansSinkaMaterial::most_radii});
+  for (int i = 0; i < m.radii; ++i) {
+    require(name, "radius_delta_bar", m.radius_delta_bar[i],
+            {i > 0 ? m.radius_delta_bar[i - 1] : 0, infinity, true, true});
+    require(name, "a_bar", m.a_bar[i], {i > 0 ? m.a_bar[i - 1] : 0, infinity, i == 0, true});
+  }
   require(name, "unloadings", m.unloadings, {0, EdmansSinkaMaterial::most_unloadings});
   for (int i = 0; i < m.unloadings; ++i) {
     require(name, "unload_delta_bar", m.unload_delta_bar[i],
@@ -188,14 +240,19 @@ inline EdmansSinka<double> prepare(const EdmansSinkaMaterial& m1, double R1, con
   detail::check(m2);
   require("edmans-sinka", "radius_m", R1, radius_or_plane);
   require("edmans-sinka", "radius2_m", R2, radius_or_plane);
-  const EdmansSinkaMaterial& soft = detail::strength(m1) <= detail::strength(m2) ? m1 : m2;
+  const auto strength1 = detail::strength(m1), strength2 = detail::strength(m2);
+  const EdmansSinkaMaterial& soft = strength1 <= strength2 ? m1 : m2;
   EdmansSinka<double> law;
   law.pair = make_pair(sphere(R1, m1.E, m1.nu), sphere(R2, m2.E, m2.nu)); // R = infinity is a plane
   law.curve = {soft.k, soft.delta_t, soft.a, soft.corner, soft.variant};
   law.steepest_in_corner = law.curve.steepest_in_corner();
   law.unloadings = soft.unloadings;
-  law.radius = soft.radius;
-  law.radius_log_slope = soft.radius.least_log_slope(EdmansSinkaCurve<double>::x_end);
+  law.radius = {soft.radius_delta_bar, soft.a_bar, soft.radii};
+  law.radius_log_slope = soft.radii > 0
+                             ? law.radius.least_log_slope()
+                             : edmans_sinka_radius.least_log_slope(EdmansSinkaCurve<double>::x_end);
+  const double R_soft = &soft == &m1 ? R1 : R2, R_hard = &soft == &m1 ? R2 : R1;
+  if (strength1 != strength2 && R_hard < R_soft) law.x_valid = x_dented;
   law.force_scale = std::numbers::pi * law.pair.R_e * law.pair.R_e * soft.sigma_ref;
   law.gamma_limit = 1000 / law.pair.x_per_gamma;
   for (int i = 0; i < soft.unloadings; ++i) {

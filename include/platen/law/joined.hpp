@@ -13,6 +13,8 @@
 // weighted by x_i^4. Unloading starts with both elasticities in series at that contact radius, 1/S = sum
 // (a_i/a)/(s S_i). The exponent n is that of the work, F x/W - 1, which is smoother.
 //
+// Of a body that is flatter than a harder partner its curve is in range to x_dented (pair.hpp).
+//
 // It is an assumption near first yield, where the partner's modulus says at which force the softer body
 // yields: up to a fifth too high there for bodies of one strength against rigid ones, a few per cent from
 // five times that force on.
@@ -50,6 +52,8 @@ struct JoinedSide {
 
 inline KnotCurve join(const Pair& pair, const JoinedSide& one, const JoinedSide& two) {
   const double s = pair.sharing();
+  const double curvature1 = pair.body[one.table ? 0 : 1].curvature,
+               curvature2 = pair.body[one.table ? 1 : 0].curvature;
   std::vector<Knot> knots;
   double x_valid = infinity, partner = 0;
   const JoinedSide& first = one.table ? one : two;
@@ -83,7 +87,11 @@ inline KnotCurve join(const Pair& pair, const JoinedSide& one, const JoinedSide&
     const double alpha = (c1 * top1.alpha + c2 * top2.alpha) / (c1 + c2);
     if (!knots.empty() && !(x > knots.back().x * (1 + 1e-9))) continue; // keeps the curve single-valued
     knots.push_back({x, F, a, s / (c1 + c2), alpha});
-    if (x1 > first.x_valid || x2 > second.x_valid) x_valid = std::min(x_valid, x);
+    const bool first_is_dented = x1 > x2 * (1 + 1e-9) &&
+                                 curvature1<curvature2*(1 - 1e-9), second_is_dented = x2> x1 * (1 + 1e-9) &&
+                                 curvature2 < curvature1 * (1 - 1e-9);
+    if ((x > x_dented && (first_is_dented || second_is_dented)) || x1 > first.x_valid || x2 > second.x_valid)
+      x_valid = std::min(x_valid, x);
   }
   if (knots.size() < 4) throw BadParameter("the two laws share no range of forces");
   x_valid = std::min(x_valid, knots.back().x);

@@ -187,7 +187,7 @@ class KnotCurve {
     constexpr double room = 1e-3; // for what lies between the points
     double lost = 0, work = work_to_knot.front();
     if (gamma_elastic == 0) lost = -infinity;
-    std::vector<double> xs, Fs;
+    std::vector<double> xs, Fs, ln_Fs;
     for (std::size_t i = 0; i + 1 < x.size(); ++i)
       for (int k = 0; k < parts + (i + 2 == x.size()); ++k) {
         const double at = x[i] + (x[i + 1] - x[i]) * k / parts, here = std::exp(at);
@@ -201,11 +201,13 @@ class KnotCurve {
         for (std::size_t back = 1; back <= xs.size(); back += 1 + back / 16) { // densest near by
           const std::size_t j = xs.size() - back;
           if ((here - xs[j]) * (1 - room) >= w) break; // nor do those farther away bound it
+          if ((here - xs[j]) * (1 - room) * alpha >= w * (y - ln_Fs[j])) continue; // 1 - e^-t <= t
           w = std::min(w, (here - xs[j]) / (1 - std::pow(Fs[j] / F, 1 / alpha)) * (1 - room));
         }
         w = std::min(w, (work - lost - room * put_in) * (1 + alpha) / F);
         lost = work - F * w / (1 + alpha);
-        xs.push_back(here), Fs.push_back(F), u.push_back(at), ln_share.push_back(std::log(w / here));
+        xs.push_back(here), Fs.push_back(F), ln_Fs.push_back(y), u.push_back(at),
+            ln_share.push_back(std::log(w / here));
       }
     recovered = MonotoneCurve(u, ln_share);
   }

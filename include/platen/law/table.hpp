@@ -13,6 +13,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -232,6 +233,7 @@ struct Law {
   std::shared_ptr<const Table> table;
   double gamma_elastic = 0; ///< up to here unloading retraces the loading curve [m]
   double force_power = 2;   ///< the force goes with R_e to this power
+  std::function<Response(const State&, double)> formulas; ///< what the table was made from, exact and slower
 };
 
 PLATEN_HOT Response evaluate(const Law& law, const State& old, double overlap) {

@@ -384,8 +384,12 @@ inline Scale scale_of(const Pair& pair, double force_power = 2) {
 template <ContactLaw L> Law tabulate(const L& law, const TableAccuracy& accuracy = {}) {
   auto table = detail::Tabulator<L>(law, accuracy).make();
   const double elastic = table->x_elastic / law.pair.x_per_gamma;
-  return {law.pair, scale_of(law.pair, detail::force_power(law)), std::move(table), elastic,
-          detail::force_power(law)};
+  return {law.pair,
+          scale_of(law.pair, detail::force_power(law)),
+          std::move(table),
+          elastic,
+          detail::force_power(law),
+          [law](const State& old, double overlap) { return evaluate(law, old, overlap); }};
 }
 
 } // namespace platen::law

@@ -58,8 +58,8 @@ struct WangMaterial {
         "wang",
         "granular geomaterials, Drucker-Prager",
         "Wang et al. (2018), (8)-(18)",
-        "E 10-30 GPa, nu 0.1-0.3, phi 20-40 deg, sigma_c 5-50 MPa, a/R < 0.02; the contact radius is ours, "
-        "provisional",
+        "E 10-30 GPa, nu 0.1-0.3, phi 20-40 deg, sigma_c 5-50 MPa where a and b are of Table 2; a/R < 0.02; "
+        "the contact radius is ours, provisional",
         "generic|fitted|published",
         {youngs_modulus(),
          poissons_ratio(),
@@ -189,9 +189,10 @@ inline Wang<double> prepare_wang(const WangMaterial& m1, const Body& one, const 
   law.gamma_elastic = law.gamma_y;
   law.gamma_limit = 1000 / law.pair.x_per_gamma;
   const auto inside = [](double v, double least, double most) { return v >= least && v <= most; };
-  for (const WangMaterial& m : {m1, m2})
-    law.material_in_range = law.material_in_range && inside(m.E, 10e9, 30e9) && inside(m.nu, 0.1, 0.3) &&
-                            inside(m.phi_deg, 20, 40) && inside(m.sigma_c, 5e6, 50e6);
+  if (from_table)
+    for (const WangMaterial& m : {m1, m2})
+      law.material_in_range = law.material_in_range && inside(m.E, 10e9, 30e9) && inside(m.nu, 0.1, 0.3) &&
+                              inside(m.phi_deg, 20, 40) && inside(m.sigma_c, 5e6, 50e6);
   law.gamma_valid = law.pair.A * 4e-4 * law.pair.R_e * law.pair.R_e;
   for (int i = 0; i < 4; ++i) // the radius law inverted: a few fixed-point steps, it is nearly Hertz
     law.gamma_valid *= std::pow(0.02 * law.pair.R_e / law.contact_radius(law.gamma_valid), 2);

@@ -169,7 +169,7 @@ TEST(MutatedInput, WhatIsReadFromACaseCardIsWrittenAsOne) {
 TEST(MutatedInput, LawCardsAreReadOrRefused) {
   const auto c = curve();
   const std::string text =
-      fit::text_of(fit::law_card(c, fit::fit_edmans_sinka(c), fit::fit_unloading(c), ""));
+      fit::text_of(fit::law_card(c, fit::fit_law(c, "published", [](const auto&) {}), ""));
   const auto file =
       std::filesystem::temp_directory_path() / fmt::format("platen-mutated-law-{}.toml", ::getpid());
   EXPECT_GT(refused(text,
@@ -188,8 +188,8 @@ TEST(MutatedInput, CurvesAreReadAndFittedOrRefused) {
   EXPECT_GT(refused(press::curve_csv(curve()),
                     [](const std::string& t) {
                       const auto read = press::parse_curve(t, "c.csv");
-                      const auto loading = fit::fit_edmans_sinka(read);
-                      (void)fit::text_of(fit::law_card(read, loading, fit::fit_unloading(read), t));
+                      const auto fitted = fit::fit_law(read, "published", [](const auto&) {});
+                      (void)fit::text_of(fit::law_card(read, fitted, t));
                     }),
             100);
   EXPECT_GT(refused("delta_m,force_N\n0,0\n1e-5,0.1\n2e-5,0.2\n3e-5,0.3\n4e-5,0.4\n5e-5,0.5\n6e-5,0.7\n7e-5,"

@@ -26,7 +26,7 @@ press::Curve curve(int branches) {
 }
 
 fit::LawCard card_of(const press::Curve& curve) {
-  return fit::law_card(curve, fit::fit_edmans_sinka(curve), fit::fit_unloading(curve), "the text");
+  return fit::law_card(curve, fit::fit_law(curve, "published", [](const auto&) {}), "the text");
 }
 
 fit::LawCard read_back(const fit::LawCard& card) {
@@ -71,6 +71,22 @@ TEST(EdmansSinkaCard, UnloadsAsTheBranchesDid) {
     const auto now = law::evaluate(law, loaded.state, below * 1e-3);
     EXPECT_NEAR(now.force / F_ref, branch.F_bar(below), 1e-3 * branch.F_bar_max) << top;
   }
+}
+
+TEST(EdmansSinkaCard, CarriesTheContactRadiusOfThePress) {
+  auto pressed = curve(0);
+  const auto a_bar = [](double x) {
+    return x < 0.1 ? 1.45 * std::sqrt(x) : 1.45 * std::sqrt(0.1) * std::pow(x / 0.1, 0.4);
+  };
+  for (auto& point : pressed.points) point.contact_radius_m = pressed.radius_m * a_bar(point.delta_bar);
+  const auto card = read_back(card_of(pressed));
+  const auto law = fit::make_law(card, {{"radius_m", "1e-3"}, {"against", "plane"}});
+  for (const double x : {0.002, 0.02, 0.1, 0.25, 0.5})
+    EXPECT_NEAR(law::evaluate(law, {}, x * 1e-3).contact_radius, 1e-3 * a_bar(x),
+                1e-6 * 1e-3 + 1e-4 * 1e-3 * a_bar(x))
+        << x;
+  EXPECT_LT(std::get<double>(fit::value_of(card.errors, "radius_l2")), 1e-6);
+  EXPECT_EQ(card_of(curve(0)).parameters.count("a_bar"), 0u); // measured without
 }
 
 TEST(EdmansSinkaCard, SaysHowWellTheBranchesAreFollowed) {

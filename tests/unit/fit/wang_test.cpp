@@ -107,6 +107,40 @@ TEST(WangFit, MakesACardThatReadsBackAsTheLaw) {
   EXPECT_NEAR(law.loading(4 * m.delta_y).F, m.F_y * 1.02 * std::pow(4, 1.43), 1e-4 * m.F_y);
 }
 
+TEST(WangFit, SaysWhatFewPointsBeyondYieldCan) {
+  for (const std::size_t points : {3, 4, 7}) {
+    Made m = made(1.02, 1.43, 0.6, 1.38);
+    m.curve.points.resize(points + 3); // from 0.5 on in steps of 0.25: three up to yield
+    const auto fit = fit::fit_wang(m.curve);
+    EXPECT_EQ(fit.points, points);
+    EXPECT_NEAR(fit.a, 1.02, 1e-6);
+    EXPECT_NEAR(fit.b, 1.43, 1e-6);
+    ASSERT_EQ(fit.notes.size(), 1u);
+    const auto card = fit::law_card(m.curve, fit, "text");
+    EXPECT_EQ(card.variant, "generic");
+    EXPECT_EQ(fit::value_of(card.provenance, "caveat"), core::FieldValue(fit.caveat));
+    EXPECT_LE(fit.others.size(), 3u);
+  }
+  EXPECT_TRUE(fit::fit_wang(made(1.02, 1.43, 0.6, 1.38).curve).caveat.empty());
+  Made m = made(1, 1.45, 0.6, 1.38); // two, and first yield itself
+  m.curve.points.resize(5);
+  const auto fit = fit::fit_wang(m.curve);
+  EXPECT_EQ(fit.points, 2u);
+  EXPECT_NEAR(fit.a, 1, 1e-6);
+  EXPECT_NEAR(fit.b, 1.45, 1e-6);
+  EXPECT_NE(fit.caveat.find("first yield itself"), std::string::npos);
+  m.curve.points.resize(4);
+  EXPECT_THROW(fit::fit_wang(m.curve), core::InvalidInput);
+}
+
+TEST(WangFit, CardHoldsOutsideTheMaterialsOfTable1) { // which are those of the coefficients of Table 2
+  Made m = made(1.02, 1.43, 0.6, 1.38);
+  auto card = fit::law_card(m.curve, fit::fit_wang(m.curve), "text");
+  card.parameters["E_Pa"] = "40e9";
+  const auto law = fit::make_law(card, {{"radius_m", "0.1"}, {"against", "plane"}});
+  EXPECT_TRUE(law::evaluate(law, {}, m.delta_y).in_range);
+}
+
 TEST(WangFit, SaysWhatACurveLacks) {
   Made m = made(1, 1.5, 0.5, 1.5);
   m.curve.sigma_c_Pa = 0;

@@ -1,3 +1,4 @@
+#include "platen/law/catalogue.hpp"
 #include "platen/law/edmans_sinka.hpp"
 #include "platen/law/edmans_sinka_appendix.hpp"
 
@@ -29,6 +30,15 @@ EdmansSinkaMaterial random_material() {
   m.a = log_between(0.1, 12);
   m.corner = smaller(0.95, 0.849 / (m.a * m.delta_t)) * between(0.01, 1);
   m.variant = static_cast<EdmansSinkaVariant>(*rc::gen::inRange(0, 4));
+  if (unit() < 0.5) { // radii of a press; d ln a / d ln x is 0.29 to 0.72 in the pools of the catalogue
+    m.radii = *rc::gen::inRange(1, 9);
+    for (int i = 0; i < m.radii; ++i) {
+      m.radius_delta_bar[i] = i ? m.radius_delta_bar[i - 1] * between(1.05, 4) : 0.005;
+      m.a_bar[i] =
+          i ? m.a_bar[i - 1] * std::pow(m.radius_delta_bar[i] / m.radius_delta_bar[i - 1], between(0, 0.9))
+            : between(0.07, 0.11);
+    }
+  }
   if (unit() < 0.5) { // measured unloading curves; the paper's Fig. 15 shows alpha 1..2, beta 1..4
     m.unloadings = *rc::gen::inRange(1, 5);
     for (int i = 0; i < m.unloadings; ++i) {
@@ -132,7 +142,6 @@ TEST(EdmansSinka, TheWholeLawRunsOnAnotherScalar) {
   const auto base = prepare(some_material(), 1e-3);
   law.curve = {Dual(4.2, 1), Dual(0.09), Dual(3.5), Dual(0.5), EdmansSinkaVariant::published};
   law.radius_log_slope = Dual(base.radius_log_slope);
-  law.radius = {Dual(base.radius.D1), Dual(base.radius.D3), Dual(base.radius.D5)};
   law.pair = {
       {{Dual(base.pair.body[0].curvature), Dual(base.pair.body[0].compliance), Dual(base.pair.body[0].nu)},
        {Dual(base.pair.body[1].curvature), Dual(base.pair.body[1].compliance), Dual(base.pair.body[1].nu)}},
@@ -149,6 +158,28 @@ TEST(EdmansSinka, TheWholeLawRunsOnAnotherScalar) {
   EXPECT_NEAR(up.force.d, up.force.v / 4.2, 1e-10); // F is proportional to k
   EXPECT_EQ(down.branch, Branch::unloading);
   EXPECT_GT(down.force.d, 0);
+}
+
+TEST(EdmansSinka, ContactRadiusIsAPowerBetweenTheGivenOnes) {
+  EdmansSinkaMaterial m = some_material();
+  const double at[] = {0.02, 0.1, 0.3, 0.5}, a[] = {0.19, 0.46, 0.69, 0.93};
+  m.radii = 4;
+  std::copy(at, at + 4, m.radius_delta_bar);
+  std::copy(a, a + 4, m.a_bar);
+  const double R = 2e-3;
+  const auto law = prepare(m, R);
+  const auto a_bar = [&](double x) { return law.loading(2 * R * x).a / R; };
+  for (int i = 0; i < 4; ++i) EXPECT_NEAR(a_bar(at[i]), a[i], 1e-14);
+  EXPECT_NEAR(a_bar(0.005), 0.19 / 2, 1e-14);                               // sqrt(x)
+  EXPECT_NEAR(a_bar(std::sqrt(0.02 * 0.1)), std::sqrt(0.19 * 0.46), 1e-14); // in the middle of a power
+  EXPECT_NEAR(a_bar(0.5 * 0.5 / 0.3), 0.93 * 0.93 / 0.69, 1e-14);           // the last power goes on
+  EXPECT_EQ(a_bar(1), a_bar(1.5));                                          // to where the curve ends
+  EXPECT_NEAR(evaluate(tabulate(law), State{}, 2 * R * 0.2).contact_radius, R * a_bar(0.2), 5e-5 * R);
+
+  m.a_bar[2] = 0.45;
+  EXPECT_THROW(prepare(m, R), BadParameter); // it may not fall
+  m.radii = 1;
+  EXPECT_NEAR(prepare(m, R).loading(2 * R * 0.08).a / R, 2 * 0.19, 1e-14); // one alone: sqrt(x)
 }
 
 TEST(EdmansSinka, UnloadingFollowsEquationsNineToFourteen) {
@@ -205,6 +236,22 @@ TEST(EdmansSinka, PlaneIsTheMirrorOfTwoEqualSpheres) {
   }
 }
 
+TEST(EdmansSinka, AppendixAStandsForTheThreeParameters) {
+  const auto law = [](const std::string& more) {
+    return make_law("edmans-sinka", "",
+                    parameter_texts("radius_m=1e-3 E_Pa=1e9 nu=0.2 sigma_ref_Pa=1e7 " + more));
+  };
+  // (A.1): k = 3.90 at Gamma_bar 1, E_bar 100 (tests/verification/law/edmans_sinka_test.cpp)
+  EXPECT_NEAR(evaluate(law("Gamma_bar=1"), State{}, 2e-3 * 0.05).force / (std::numbers::pi * 1e-6 * 1e7),
+              3.90 * 0.05, 3e-4);
+  EXPECT_THROW((void)law("Gamma_bar=1 k=4"), BadParameter);
+  EXPECT_THROW((void)law("Gamma_bar=0.1"), BadParameter);
+  EXPECT_THROW((void)law("k=4"), BadParameter);
+  EXPECT_THROW((void)make_law("edmans-sinka", "",
+                              parameter_texts("radius_m=1e-3 E_Pa=1e9 nu=0.2 sigma_ref_Pa=1e6 Gamma_bar=1")),
+               BadParameter);
+}
+
 TEST(EdmansSinka, RefusesWhatIsNoMaterial) {
   EdmansSinkaMaterial m = some_material();
   m.nu = 0.5;
@@ -216,6 +263,20 @@ TEST(EdmansSinka, RefusesWhatIsNoMaterial) {
   m.k = std::nan("");
   EXPECT_THROW((void)prepare(m, 1e-3), BadParameter);
   EXPECT_THROW((void)prepare(some_material(), 0), BadParameter);
+}
+
+TEST(EdmansSinka, IsInRangeOfADentWhileItIsSmall) { // pair.hpp
+  EdmansSinkaMaterial soft = some_material(), hard = soft;
+  hard.sigma_ref *= 100;
+  const auto in_range = [](const auto& law, double x) { return law.in_range(x / law.pair.x_per_gamma); };
+  for (const double R : {infinity, 2.0}) {
+    EXPECT_TRUE(in_range(prepare(hard, 0.5, soft, R), 0.02));
+    EXPECT_FALSE(in_range(prepare(hard, 0.5, soft, R), 0.021));
+    EXPECT_FALSE(in_range(prepare(soft, R, hard, 0.5), 0.021));
+    EXPECT_TRUE(in_range(prepare(hard, R, soft, 0.5), 0.49));
+    EXPECT_TRUE(in_range(prepare(soft, 0.5, soft, R), 0.49));
+  }
+  EXPECT_TRUE(in_range(prepare(hard, 0.5, soft, 0.5), 0.49));
 }
 
 TEST(EdmansSinka, AnyFiniteOverlapHasAnAnswer) {

@@ -76,6 +76,25 @@ TEST(Joined, IsNearLawsThatKnowBothModuli) {
     }
 }
 
+TEST(Joined, IsInRangeOfADentWhileItIsSmall) { // pair.hpp
+  const auto metal = [](const char* strength) {
+    return LawChoice{
+        "pressed", "",
+        parameter_texts(std::string("E_Pa=1e10 nu=0.3 delta_bar=1e-3,1e-2,0.1,0.5 F_bar=4e-3,5e-2,0.5,3 "
+                                    "a_bar=0.03,0.12,0.45,0.95 sigma_ref_Pa=") +
+                        strength)};
+  };
+  const auto in_range = [&](double R1, double R2, double x) { // the first is the harder one
+    const Law law = make_law(metal("1e9"), R1, metal("1e7"), R2);
+    return evaluate(law, State{}, x / law.scale.x_per_gamma).in_range;
+  };
+  for (const double soft : {infinity, 2.0}) {
+    EXPECT_TRUE(in_range(0.5, soft, 0.018));
+    EXPECT_FALSE(in_range(0.5, soft, 0.022));
+  }
+  for (const double hard : {infinity, 2.0, 0.5}) EXPECT_TRUE(in_range(hard, 0.5, 0.3));
+}
+
 TEST(Joined, AnyTwoCurvesMakeASoundLaw) {
   Random random;
   for (int i = 0; i < 100; ++i) {

@@ -76,6 +76,13 @@ inline LawChoice random_material(const LawInfo& info, Random& random) {
     one.parameters[w.key] =
         values[static_cast<std::size_t>(random.unit() * static_cast<double>(values.size()))];
   }
+  if (info.name == "edmans-sinka" && random.unit() < 0.5) { // radii of presses, from the metal's to granules'
+    double a = random.between(0.14, 0.2);
+    one.parameters["radius_delta_bar"] = "0.02,0.05,0.1,0.2,0.5";
+    one.parameters["a_bar"] = digits(a);
+    for (const double ratio : {2.5, 2.0, 2.0, 2.5})
+      one.parameters["a_bar"] += "," + digits(a *= std::pow(ratio, random.between(0.3, 0.6)));
+  }
   if (info.name == "edmans-sinka" && random.unit() < 0.5) {
     one.parameters["unload_delta_bar"] = "0.1,0.3,0.5";
     one.parameters["alpha"] = digits(random.between(1.2, 1.8)) + "," + digits(random.between(1.2, 1.8)) +
