@@ -68,7 +68,7 @@ compare() { # NAME MATERIAL RANGES NU CALIBRATE_AT WORDS_OF_-p LAWS...
   springs "$name" "$at" "$nu" > calibrated
   set -- "$@" "$name-fit.toml,label=edmans-sinka (fitted here)" "$(sed -n 1p calibrated)" "$(sed -n 2p calibrated)"
   "$platen" predict "$material" -o "$name-predicted.toml" > log 2>&1 &&
-    set -- "$@" "$name-predicted.toml,label=pressed (predicted)"
+    set -- "$@" "$name-predicted.toml,label=predicted"
   # shellcheck disable=SC2086
   "$platen" compare "$name.csv" "$@" --material "$material" $common --ranges "$ranges" -o "$name.svg" --table table 2> log ||
     { cat log >&2; exit 3; }
