@@ -93,14 +93,16 @@ void compare_picture(const fit::Reference& reference, const std::vector<fit::Tra
                           "plot 1 with lines lw 2.5 lc rgb 'black'{}",
                           left, left + 0.225, ratios[i][1], ink, lines(ratios[i][0]));
   }
-  // The key is a plot of its own: beside the upper one it would have room for seven names.
+  // The key is a plot of its own: beside the upper one it would have room for seven names. What does not fit
+  // into one column gnuplot puts into a second one, outside of the picture.
+  const double spacing = std::min(1.25, 17 / static_cast<double>(traces.size() + 2));
   script +=
       fmt::format("unset logscale\nunset border\nunset tics\nunset xlabel\nunset ylabel\nset xrange [0:1]\n"
                   "set yrange [0:1]\nset lmargin at screen 0.69\nset rmargin at screen 1\n"
                   "set tmargin at screen 0.95\nset bmargin at screen 0.42\nset key left top Left reverse "
-                  "noenhanced samplen 2 spacing 1.25 tc rgb '{}'\n"
+                  "noenhanced samplen 2 spacing {:.3f} tc rgb '{}'\n"
                   "plot NaN with lines lw 4 lc rgb 'black' title {}",
-                  ink, gnuplot_string(reference.trace.name));
+                  spacing, ink, gnuplot_string(reference.trace.name));
   for (std::size_t k = 0; k < traces.size(); ++k)
     script += fmt::format(", NaN with lines lw {} lc rgb '{}' title {}", width(k),
                           colours[k % colours.size()], gnuplot_string(traces[k].name));

@@ -1,6 +1,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "material/card.hpp"
+#include "plot/compare_picture.hpp"
 #include "plot/confined_picture.hpp"
 #include "plot/curve_picture.hpp"
 #include "plot/energy_picture.hpp"
@@ -38,6 +39,30 @@ class Pictures : public ::testing::Test {
 
   fs::path folder_;
 };
+
+TEST_F(Pictures, OfManyLawsNameThemAllInsideThePicture) {
+  const std::vector<double> x{1e-5, 1e-4, 5e-4}, F{1, 10, 50}, a{1e-4, 3e-4, 7e-4};
+  fit::Reference reference;
+  reference.delta = x;
+  reference.trace = {"press", F, a, {true, true, true}, {}};
+  reference.radius_m = 1e-3;
+  for (const int laws : {1, 14, 25}) {
+    std::vector<fit::Trace> traces;
+    for (int k = 0; k < laws; ++k)
+      traces.push_back({"law number " + std::to_string(k), F, a, {true, true, false}, {}});
+    const fs::path file = folder_ / "laws.svg";
+    plot::compare_picture(reference, traces, "many", file);
+    const std::string svg = core::read_file(file);
+    int named = 0;
+    for (auto at = svg.find("<text>"); at != std::string::npos; at = svg.find("<text>", at + 1)) {
+      // <g transform="translate(x,y)" ...> \n <text>words
+      const auto place = svg.rfind("translate(", at);
+      const double across = std::stod(svg.substr(place + 10));
+      if (svg.compare(at + 6, 11, "law number ") == 0 && across < 950) ++named;
+    }
+    EXPECT_EQ(named, laws);
+  }
+}
 
 bool has_gnuplot() { return std::system("gnuplot --version > /dev/null 2>&1") == 0; }
 
