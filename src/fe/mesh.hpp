@@ -27,10 +27,4 @@ using SectionMesh = Mesh<2, 4, 2>;
 /// Hexahedra, bottom counter-clockwise seen from the top, then the top; faces counter-clockwise from outside.
 using WedgeMesh = Mesh<3, 8, 4>;
 
-/// Scaled Jacobian at the corners of elements, the least of each: 1 for a square or a cube, 0 where an edge
-/// lies along its neighbour or in the plane of two, negative beyond. Least and mean of the elements.
-struct MeshQuality {
-  double least, mean;
-};
-
 } // namespace platen::fe

@@ -1,6 +1,5 @@
 #include "fe/quarter_disc.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -205,22 +204,6 @@ SectionMesh quarter_disc(int elements) {
   for (auto at = on_surface.begin(); std::next(at) != on_surface.end(); ++at)
     mesh.surface.push_back({at->second, std::next(at)->second});
   return mesh;
-}
-
-MeshQuality quality(const SectionMesh& mesh, const std::vector<double>& u) {
-  MeshQuality q{1, 0};
-  for (const auto& quad : mesh.elements) {
-    Vector<2> x[4];
-    for (int a = 0; a < 4; ++a) x[a] = mesh.nodes[quad[a]] + Vector<2>{u[2 * quad[a]], u[2 * quad[a] + 1]};
-    double least = 1;
-    for (int a = 0; a < 4; ++a) {
-      const Vector<2> on = x[(a + 1) % 4] - x[a], back = x[(a + 3) % 4] - x[a];
-      least = std::min(least, (on[0] * back[1] - on[1] * back[0]) / std::sqrt(dot(on, on) * dot(back, back)));
-    }
-    q.least = std::min(q.least, least);
-    q.mean += least / static_cast<double>(mesh.elements.size());
-  }
-  return q;
 }
 
 } // namespace platen::fe

@@ -12,7 +12,4 @@ namespace platen::fe {
 /// Mirrors: the axis r = 0 and the equator z = 0.
 SectionMesh quarter_disc(int elements);
 
-/// Of the elements, nodes displaced by u (r, z of each).
-MeshQuality quality(const SectionMesh&, const std::vector<double>& u);
-
 } // namespace platen::fe

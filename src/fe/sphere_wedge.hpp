@@ -24,7 +24,11 @@ WedgeMesh sphere_wedge(Wedge, int elements);
 /// of matrices.
 std::vector<std::array<Vector3, 3>> copies(const WedgeMesh&);
 
-/// Of the elements, nodes displaced by u (x, y, z of each).
+/// Least scaled Jacobian over the corners of the elements, nodes displaced by u (x, y, z of each): 1 for a
+/// cube, 0 where an edge lies in the plane of its two neighbours. `mean`: of the elements' least.
+struct MeshQuality {
+  double least, mean;
+};
 MeshQuality quality(const WedgeMesh&, const std::vector<double>& u);
 
 } // namespace platen::fe

@@ -74,7 +74,6 @@ template <fe::Element E> class Driver {
       load();
     } catch (const Stop&) { result.interrupted = true; }
     result.flags = flags_of(stepper.solid(), state.points);
-    flag_folds();
     observer.report(result);
     auto& points = result.curve.points;
     points.insert(points.end(), branches.begin(), branches.end());
@@ -244,17 +243,6 @@ template <fe::Element E> class Driver {
       if (std::holds_alternative<Local>(press_case.experiment))
         result.profiles.push_back(profile(stepper, state));
     } else result.spatial.push_back(snapshot(stepper, state, Branch::loading));
-  }
-
-  /// Corners of some elements beside a contact edge give a little; half of it is no corner any more.
-  void flag_folds() {
-    for (const CurvePoint& point : result.curve.points)
-      if (point.mesh_quality < -0.5) {
-        result.flags.push_back(fmt::format(
-            "elements are folded from delta_bar = {:.3g} on: the force beyond depends on the mesh",
-            point.delta_bar));
-        return;
-      }
   }
 
   void fail() {

@@ -1,6 +1,5 @@
 #include "press/step.hpp"
 
-#include "fe/quarter_disc.hpp"
 #include "fe/sphere_wedge.hpp"
 
 #include <algorithm>
@@ -82,17 +81,17 @@ template <fe::Element E> Step<E> Stepper<E>::operator()(const State<E>& now, dou
   }
   result.report = equilibrium.solve({to, now.contact, start}, next.x);
   if (!result.report.converged()) return result;
-  // An element may fold at a corner and have volume at its Gauss points: equilibrium, but not the particle's.
-  // Beside the contact edge of a metal corners of quadrilaterals give a little, and nothing depends on it.
-  const double quality = fe::quality(solid().mesh, equilibrium.displacement()).least;
-  if (Plan<E>::Mesh::dim == 3 && quality <= 0) {
-    result.report.cause = fe::Cause::inverted_element;
-    return result;
+  if constexpr (Plan<E>::Mesh::dim == 3) {
+    // An element may fold at a corner and have volume at its Gauss points: equilibrium, but not the
+    // particle's.
+    if (fe::quality(solid().mesh, equilibrium.displacement()).least <= 0) {
+      result.report.cause = fe::Cause::inverted_element;
+      return result;
+    }
   }
   next.change.resize(next.x.size());
   for (std::size_t i = 0; i < next.x.size(); ++i) next.change[i] = next.x[i] - now.x[i];
   account(next, now, now.contact, result.report.iterations);
-  next.row.mesh_quality = quality;
   return result;
 }
 
@@ -143,7 +142,10 @@ void Stepper<E>::account(State<E>& next, const State<E>& before, const fe::Conta
   const auto& pole = solid().mesh.nodes[plan.equator_node];
   row.equator_displacement_m = 0;
   for (int i = 0; i < dim; ++i) row.equator_displacement_m += u[dim * plan.equator_node + i] * pole[i] * R;
-  if (closed) row.cell_filling = 4 * std::numbers::pi / 3 / cell;
+  if constexpr (dim == 3) {
+    if (closed) row.cell_filling = 4 * std::numbers::pi / 3 / cell;
+    row.mesh_quality = fe::quality(solid().mesh, u).least;
+  }
   const Totals totals = account_points(solid(), response(), next.points, before.points, row);
   row.stored_J = (plan.halves * totals.stored + penetration) * R3;
   row.dissipated_J = before.row.dissipated_J + plan.halves * totals.dissipated * R3;

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdio>
 
 using namespace platen;
@@ -66,15 +65,4 @@ TEST(EveryModel, OfTheOtherPapersRunsToHalfTheRadius) {
     EXPECT_NEAR(result.curve.points.back().delta_bar, 0.5, 1e-12);
     expect_balance(result, card);
   }
-}
-
-TEST(EveryModel, OfAPowderThatLocksSaysThatItsMeshIsFolded) {
-  const auto folded = [](const char* card) {
-    const auto flags = press::press({material::read_card(card).material, 1e-3, press::Simple{}}).flags;
-    return std::any_of(flags.begin(), flags.end(), [](const auto& flag) {
-      return flag.find("elements are folded") != std::string::npos;
-    });
-  };
-  EXPECT_TRUE(folded("dical-emcompress"));
-  EXPECT_FALSE(folded("von-mises-100"));
 }
