@@ -17,7 +17,9 @@
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <memory>
+#include <thread>
 
 namespace platen::app {
 namespace {
@@ -29,6 +31,8 @@ struct Options {
   std::optional<double> E_Pa, nu;
   std::optional<Option> profiles_option;
   std::string profiles; ///< their picture
+  std::string store = "out/calibration";
+  int workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   bool press = false, json = false;
 
   bool all_profiles() const { return profiles_option && profiles_option->given(); }
@@ -137,13 +141,20 @@ void write_confined(const calibrate::Calibration& c, const std::string& file) {
   else calibrate::confined_prediction(c, curves, file);
 }
 
+calibrate::Calibration by_presses(const std::vector<measure::Measurement>& measurements,
+                                  const calibrate::Settings& settings, const Options& o) {
+  study::Store store(o.store, "calibration");
+  store.open_for_writing(study::OldRuns::recompute);
+  return calibrate::calibrate_material_by_presses(measurements, settings, {store, o.workers, core::say_line});
+}
+
 void run_calibrate(Options o) {
   settle_what(o);
   const auto settings = settings_of(o);
   for (const std::string& file : {o.picture, o.profiles, o.confined.ends_with(".csv") ? "" : o.confined})
     if (!file.empty()) (void)plot::format_of(file);
   const auto measurements = measurements_of(o.curves, o.measured);
-  auto c = o.press ? calibrate::calibrate_material_by_presses(measurements, settings, core::say_line)
+  auto c = o.press           ? by_presses(measurements, settings, o)
            : o.of_material() ? calibrate::calibrate_material(measurements, settings)
                              : calibrate::calibrate(measurements, settings);
   if (!o.picture.empty())
@@ -200,6 +211,12 @@ void add_calibrate(Command program) {
   command.add_flag("--press", o->press,
                    "curves of the material from a few presses, minutes, instead of from those of the "
                    "catalogue");
+  command
+      .add_option("--store", o->store,
+                  "the presses are kept here, and those that are there already are not done again")
+      .type_name("DIR")
+      .capture_default_str();
+  command.add_option("--workers", o->workers, "processes that press").range(1, 1024);
   o->profiles_option = command
                            .add_option("--profiles", o->profiles,
                                        "profile likelihood of every parameter, not only of what is weakly "

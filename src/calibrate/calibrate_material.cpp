@@ -114,7 +114,7 @@ std::vector<double> beginning(const std::vector<measure::Measurement>& measureme
 }
 
 Calibration by_presses(const std::vector<measure::Measurement>& measurements, Settings settings,
-                       const std::function<void(const std::string&)>& say) {
+                       const Presses& means) {
   const auto& sought = *settings.material;
   const Reach reach = reach_of(measurements, settings);
   const auto asked = std::exchange(settings.asked, {}); // for the last of the searches
@@ -122,10 +122,13 @@ Calibration by_presses(const std::vector<measure::Measurement>& measurements, Se
   constexpr double room = 1.05, most = 0.5;
   settings.start = beginning(measurements, settings);
   PressCurves presses(sought, settings.start,
-                      {.delta_bar_max = std::min(most, room * reach.delta_bar), .say = say});
+                      {.store = means.store,
+                       .workers = means.workers,
+                       .delta_bar_max = std::min(most, room * reach.delta_bar),
+                       .say = means.say});
   settings.curves = presses.curves();
-  const auto& end = *press::loading_end(presses.last().curve);
-  const double stress = end.F_bar * presses.last().curve.sigma_ref_Pa / end.delta_bar;
+  const auto& end = *press::loading_end(presses.last());
+  const double stress = end.F_bar * presses.last().sigma_ref_Pa / end.delta_bar;
   for (std::size_t k = 0; k < settings.start.size(); ++k) // a card may be of another strength altogether
     if (sought.free()[k].in_curve_stress && reach.stress_Pa > 0)
       settings.start[k] *= reach.stress_Pa / stress;
@@ -139,7 +142,7 @@ Calibration by_presses(const std::vector<measure::Measurement>& measurements, Se
   settings.asked = asked, settings.all_profiles = all_profiles;
   Calibration c = calibrate(measurements, settings);
   c.material = found(c, sought);
-  auto curve = presses.last().curve;
+  auto curve = presses.last();
   curve.material = c.material->name;
   c.card = with_fit(law_card(curve, fit_pressed(curve, fit::fit_unloading(curve)), press::curve_csv(curve)),
                     c.card);
@@ -162,9 +165,8 @@ Calibration calibrate_material(const std::vector<measure::Measurement>& measurem
 }
 
 Calibration calibrate_material_by_presses(const std::vector<measure::Measurement>& measurements,
-                                          const Settings& settings,
-                                          const std::function<void(const std::string&)>& say) {
-  auto c = by_presses(measurements, settings, say);
+                                          const Settings& settings, const Presses& means) {
+  auto c = by_presses(measurements, settings, means);
   say_held(c, *settings.material);
   return c;
 }

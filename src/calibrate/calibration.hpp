@@ -5,6 +5,7 @@
 #include "calibrate/free_material.hpp"
 #include "calibrate/profile.hpp"
 #include "fit/doubt.hpp"
+#include "study/store.hpp"
 
 #include <functional>
 #include <memory>
@@ -85,9 +86,18 @@ Calibration calibrate(const std::vector<measure::Measurement>&, const Settings&)
 /// The same for a material: the card is the law of the material that was found, and may be used without it.
 /// InvalidInput where no surrogate knows such materials.
 Calibration calibrate_material(const std::vector<measure::Measurement>&, const Settings&);
-/// The same through a few presses; `say` is told each. Throws ConvergenceError, Interrupted too.
+
+/// How the presses of a calibration are done.
+struct Presses {
+  study::Store store;                          ///< open for writing
+  int workers = 1;                             ///< processes
+  std::function<void(const std::string&)> say; ///< told each press
+};
+
+/// The same through a few presses. Throws ConvergenceError, IoError, Interrupted too; what was pressed is in
+/// the store then, and not pressed again.
 Calibration calibrate_material_by_presses(const std::vector<measure::Measurement>&, const Settings&,
-                                          const std::function<void(const std::string&)>& say);
+                                          const Presses&);
 
 /// Its card, with what is known of each number under [source].
 std::string material_card(const Calibration&, const std::vector<std::string>& doubts);

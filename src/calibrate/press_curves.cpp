@@ -1,11 +1,11 @@
 #include "calibrate/press_curves.hpp"
 
 #include "core/error.hpp"
-#include "core/interrupt.hpp"
 #include "core/number.hpp"
 #include "fit/unloading.hpp"
 #include "platen/law/knot_curve.hpp"
-#include "press/press.hpp"
+#include "press/curve_csv.hpp"
+#include "study/work.hpp"
 
 #include <Eigen/Dense>
 #include <fmt/format.h>
@@ -77,7 +77,7 @@ struct PressCurves::Local {
   FreeMaterial sought;
   PressSettings settings;
   int presses = 0;
-  press::Result last = {};
+  press::Curve last = {};
   LogCurve shape = {};                   ///< its overlaps
   VectorXd y0 = {}, centre = {}, z = {}; ///< origin of the coordinates; the last curve, and where it is
   MatrixXd to_z = {}, slopes = {};
@@ -92,28 +92,55 @@ struct PressCurves::Local {
 
   VectorXd coordinates(const material::Material& m) const { return to_z * (dimensionless(m) - y0); }
 
-  LogCurve pressed(const std::vector<double>& values, int elements) {
+  struct Wanted {
+    std::vector<double> values;
+    int elements;
+  };
+
+  press::Case press_case(const Wanted& wanted) const {
     press::Simple simple;
     simple.delta_bar_max = settings.delta_bar_max;
-    simple.elements = elements;
+    simple.elements = wanted.elements;
     for (int i = 1; i <= branches; ++i)
       simple.unload_from.push_back(i == branches ? settings.delta_bar_max
                                                  : settings.delta_bar_max * i / branches);
-    const auto m = material(values);
+    return {material(wanted.values), 1e-3, simple};
+  }
+
+  std::string words(const Wanted& wanted) const {
     std::string words;
-    for (std::size_t k = 0; k < values.size(); ++k)
-      words += fmt::format("{}{} = {:.4g}", k ? ", " : "", sought.free()[k].key, values[k]);
-    settings.say(fmt::format("press {}: {} ({} elements)", ++presses, words, elements));
-    auto result = press::press({m, 1e-3, simple}, [](double, const auto&) { return !core::interrupted(); });
-    if (result.interrupted) throw core::Interrupted("stopped; nothing was written");
-    if (result.failure)
-      throw core::ConvergenceError(fmt::format("the press of {} stopped: {}", words, *result.failure), 0, 0,
-                                   0);
-    last = std::move(result);
-    auto curve = log_curve(last.curve, settings.delta_bar_max);
+    for (std::size_t k = 0; k < wanted.values.size(); ++k)
+      words += fmt::format("{}{} = {:.4g}", k ? ", " : "", sought.free()[k].key, wanted.values[k]);
+    return words;
+  }
+
+  /// All together through the store, which presses what it does not have.
+  std::vector<LogCurve> pressed(const std::vector<Wanted>& all) {
+    study::Study study;
+    for (const auto& wanted : all) {
+      study.runs.push_back({{}, press_case(wanted)});
+      const bool there = settings.store.state(settings.store.key(study.runs.back().press_case)) !=
+                         study::Store::State::missing;
+      settings.say(fmt::format("press {}: {} ({} elements){}", ++presses, words(wanted), wanted.elements,
+                               there ? ", from the store" : ""));
+    }
+    for (const auto& what : study::forget_damaged(study, settings.store)) settings.say("note: " + what);
+    study::work(study, settings.store, std::min(settings.workers, static_cast<int>(all.size())),
+                [](const study::Tally&) {});
+    std::vector<LogCurve> curves;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      curves.push_back(read(settings.store.key(study.runs[i].press_case), words(all[i])));
+    return curves;
+  }
+
+  LogCurve read(const std::string& key, const std::string& of) {
+    if (const auto why = settings.store.failure(key); !why.empty())
+      throw core::ConvergenceError(fmt::format("the press of {} stopped: {}", of, why), 0, 0, 0);
+    last = press::read_curve(settings.store.run(key) / "curve.csv");
+    auto curve = log_curve(last, settings.delta_bar_max);
     if (curve.alpha.size() != branches)
-      throw core::ConvergenceError(fmt::format("the press of {} unloads too steeply to be fitted", words), 0,
-                                   0, 0);
+      throw core::ConvergenceError(fmt::format("the press of {} unloads too steeply to be fitted", of), 0, 0,
+                                   0);
     return curve;
   }
 
@@ -141,13 +168,16 @@ struct PressCurves::Local {
     while (rank < s.size() && s[rank] > 1e-6 * std::max(1.0, s[0])) ++rank;
     to_z = s.head(rank).cwiseInverse().asDiagonal() * svd.matrixU().leftCols(rank).transpose();
     z = VectorXd::Zero(rank);
-    const VectorXd coarse = stacked(pressed(values, settings.coarse_elements));
+    std::vector<Wanted> wanted = {{values, settings.coarse_elements}};
+    for (Eigen::Index r = 0; r < rank; ++r)
+      wanted.push_back({moved(values, svd.matrixV().col(r), step), settings.coarse_elements});
+    wanted.push_back({values, settings.elements});
+    const auto curves = pressed(wanted);
+    const VectorXd coarse = stacked(curves.front());
     slopes.resize(coarse.size(), rank);
-    for (Eigen::Index r = 0; r < rank; ++r) {
-      const auto beside = moved(values, svd.matrixV().col(r), step);
-      slopes.col(r) = (stacked(pressed(beside, settings.coarse_elements)) - coarse) / step;
-    }
-    shape = pressed(values, settings.elements);
+    for (Eigen::Index r = 0; r < rank; ++r)
+      slopes.col(r) = (stacked(curves[static_cast<std::size_t>(r) + 1]) - coarse) / step;
+    shape = curves.back();
     centre = stacked(shape);
     mesh = mesh_share * (centre - coarse);
   }
@@ -175,7 +205,8 @@ Curves PressCurves::curves() const {
 double PressCurves::press(const std::vector<double>& values) {
   Local& l = *local_;
   const VectorXd z = l.coordinates(l.material(values)), by = z - l.z;
-  const VectorXd expected = l.centre + l.slopes * by, found = stacked(l.pressed(values, l.settings.elements));
+  const VectorXd expected = l.centre + l.slopes * by,
+                 found = stacked(l.pressed({{values, l.settings.elements}}).front());
   const VectorXd off = found - expected;
   if (by.squaredNorm() > 1e-6) l.slopes += off * by.transpose() / by.squaredNorm();
   l.centre = found, l.z = z;
@@ -183,7 +214,7 @@ double PressCurves::press(const std::vector<double>& values) {
   return std::sqrt(off.head(n).squaredNorm() / static_cast<double>(n));
 }
 
-const press::Result& PressCurves::last() const { return local_->last; }
+const press::Curve& PressCurves::last() const { return local_->last; }
 int PressCurves::presses() const { return local_->presses; }
 
 } // namespace platen::calibrate

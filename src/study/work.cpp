@@ -31,10 +31,11 @@ double cpu_now() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-void stop_where_asked() {
+void stop_where_asked(const Store& store) {
   if (core::interrupted())
     throw core::Interrupted(
-        "stopped as asked; the finished runs are in the store, and the same command goes on");
+        fmt::format("stopped as asked; the finished runs are in {}, and the same command goes on",
+                    store.folder().string()));
 }
 
 void press_one(const Run& run, const Store& store, const std::string& key, const Press& press) {
@@ -43,7 +44,7 @@ void press_one(const Run& run, const Store& store, const std::string& key, const
   const auto result = press(run.press_case, [&](double, const press::CurvePoint& point) {
     return !core::interrupted() && !(run.stop_at > 0 && point.delta_bar > run.stop_at);
   });
-  if (result.interrupted) stop_where_asked(); // unless it stopped where the run says
+  if (result.interrupted) stop_where_asked(store); // unless it stopped where the run says
   store.keep(key, run.press_case, result,
              {cpu_now() - cpu, std::chrono::duration<double>(Clock::now() - start).count()});
 }
@@ -63,7 +64,7 @@ struct Task {
 std::vector<Task> pass(std::vector<Task> tasks, Store& store, const Press& press) {
   std::vector<Task> left;
   for (auto& task : tasks) {
-    stop_where_asked();
+    stop_where_asked(store);
     if (store.state(task.key) != Store::State::missing) continue;
     if (const auto claim = store.claim(task.key)) press_one(*task.run, store, task.key, press);
     else left.push_back(std::move(task));
@@ -190,7 +191,7 @@ void work(const Study& study, Store& store, int workers, const std::function<voi
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
-  stop_where_asked();
+  stop_where_asked(store);
   if (worst == 130)
     throw core::Interrupted(
         "a worker was stopped; the finished runs are in the store, and the same command goes on");

@@ -51,6 +51,34 @@ for signal in INT TERM; do
   ends 0 'relative L2' $?
 done
 
+# --- a calibration through presses that is stopped: the presses are kept, and the same command goes on ---
+printf '%s\n' 'platen = 1' 'experiment = "simple"' 'material = "von-mises-100"' 'radius_m = 1e-3' '[path]' \
+  'delta_bar_max = 0.05' 'unload_from = [0.02, 0.05]' '[mesh]' 'elements = 300' >bead.toml
+"$platen" press bead.toml -o bead --as-measured beads.csv --particles 2 --seed 3 >answer 2>&1
+ends 0 'results in bead' $?
+calibrate=("$platen" calibrate beads.csv --material von-mises --nu 0.3 --press --store pressed)
+runs() { find pressed/runs -mindepth 1 -maxdepth 1 -name '[0-9a-f]*' 2>/dev/null | sort; }
+: >answer
+"${calibrate[@]}" -o bead-metal.toml >answer 2>&1 &
+calibration=$!
+for i in $(seq 600); do
+  [ -n "$(runs)" ] && break
+  sleep 0.05
+done
+kill -INT $calibration
+wait $calibration
+ends 130 'the finished runs are in pressed, and the same command goes on' $?
+[ -e bead-metal.toml ] && fails 'a card was written of a calibration that was stopped'
+runs >kept
+[ -s kept ] || fails 'no press was kept'
+"${calibrate[@]}" -o bead-metal.toml >answer 2>&1
+ends 0 'from the store' $?
+[ "$(grep -c 'from the store' answer)" -eq "$(wc -l <kept)" ] || fails "of $(wc -l <kept) presses others were taken: $(cat answer)"
+"${calibrate[@]}" -o again.toml >answer 2>&1
+ends 0 'from the store' $?
+grep -E '^press .*elements\)$' answer && fails 'something was pressed twice'
+cmp bead-metal.toml again.toml || fails 'the same presses gave another card'
+
 # --- two runs into one folder ---
 : >answer
 "$platen" press long.toml -o shared >answer 2>&1 &

@@ -5,6 +5,9 @@
 #include "press/press.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
 
 namespace {
 
@@ -25,9 +28,14 @@ Found through_presses(const calibrate::FreeMaterial& sought, const law::Paramete
   m.specimens = measure::batch(curve, particles, 1e-3, {20e-6, noise, 0, 0, 0.1}, 9);
   calibrate::Settings settings;
   settings.material = std::make_shared<calibrate::FreeMaterial>(sought);
+  const auto folder =
+      std::filesystem::temp_directory_path() / ("platen-through-presses-" + std::to_string(::getpid()));
+  study::Store store(folder, "calibration");
+  store.open_for_writing(study::OldRuns::recompute);
   Found found;
-  found.calibration =
-      calibrate::calibrate_material_by_presses({m}, settings, [&](const std::string&) { ++found.presses; });
+  found.calibration = calibrate::calibrate_material_by_presses(
+      {m}, settings, {store, 2, [&](const std::string&) { ++found.presses; }});
+  std::filesystem::remove_all(folder);
   return found;
 }
 
