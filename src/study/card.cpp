@@ -6,6 +6,7 @@
 #include "core/nearest.hpp"
 #include "core/number.hpp"
 #include "core/parallel.hpp"
+#include "core/unit.hpp"
 #include "press/case_card.hpp"
 #include "study/derived.hpp"
 #include "study/table.hpp"
@@ -102,9 +103,38 @@ bool read_scale(const Table& table, const Factor& factor) {
   return scale == "log";
 }
 
-Factor read_factor(const Table& factors, const std::string& name, const Value& value,
+/// Where levels carry units, "material.E" = { values = ["1 GPa", "2 GPa"] }, they become numbers, and the
+/// factor gets the name that is returned, material.E_Pa.
+std::string levels_in_si(const std::string& name, Table& factor) {
+  std::vector<std::pair<std::string, Value*>> levels;
+  for (auto& [key, value] : factor.entries) {
+    if (key == "min" || key == "max") levels.emplace_back(key, &value);
+    if (auto* list = std::get_if<std::vector<Value>>(&value.data); list && key == "values")
+      for (auto& item : *list) levels.emplace_back(key, &item);
+  }
+  std::optional<core::Quantity> first;
+  for (const auto& [key, level] : levels)
+    if (const auto* text = std::get_if<std::string>(&level->data); text && !first)
+      first = core::quantity_from(*text);
+  if (!first) return name;
+  const std::string unit = "_" + first->si;
+  if (name.ends_with(unit))
+    throw core::InvalidInput(
+        fmt::format("{}: the values have a unit, and the name of the factor has one too; write \"{}\"",
+                    core::place(factor, levels.front().first), name.substr(0, name.size() - unit.size())));
+  for (const auto& [key, level] : levels) {
+    const auto* text = std::get_if<std::string>(&level->data);
+    level->data =
+        core::value_in_si(core::place(factor, key), text ? *text : core::text_of(*level), name + unit);
+  }
+  return name + unit;
+}
+
+Factor read_factor(const Table& factors, const std::string& written_name, const Value& value,
                    const std::string& kind) {
-  const auto* table = std::get_if<Table>(&value.data);
+  Value in_si = value;
+  auto* table = std::get_if<Table>(&in_si.data);
+  const std::string name = table ? levels_in_si(written_name, *table) : written_name;
   if (!table)
     throw core::InvalidInput(fmt::format("{} must be a table: {{ {} }}", core::place(factors, name),
                                          kind == "table" ? "column = \"...\"" : "values = [...]"));
@@ -330,7 +360,10 @@ std::string study_reference() {
       "## [factors]\n\n"
       "A key is `material.KEY` (of [parameters]), `path.KEY`, `mesh.KEY`, `radius_m`, `experiment` or "
       "`material`; its "
-      "value a table:\n\n"
+      "value a table. Levels that carry units go under the bare name: `\"material.E\" = {{ min = \"1 GPa\", "
+      "max "
+      "= \"5 GPa\" }}`, which is "
+      "`material.E_Pa`.\n\n"
       "| key | meaning | value |\n|---|---|---|\n"
       "| `values` | the levels of a factorial design; shared out evenly in a random one | a list of numbers "
       "or "

@@ -3,10 +3,12 @@
 #include "core/catalogue.hpp"
 #include "core/error.hpp"
 #include "core/number.hpp"
+#include "core/unit.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 
@@ -98,8 +100,10 @@ void set(Table& base, const std::string& factor, const Level& level) {
     table = std::get_if<Table>(&next->value.data);
     if (!table) throw core::InvalidInput(fmt::format("factor '{}': {} is no table", factor, name));
   }
-  std::erase_if(table->entries,
-                [&](const core::Entry& e) { return e.key == key || e.key == counterpart(key); });
+  const std::array names{key, counterpart(key)}; // and E = "2 GPa" is E_Pa
+  std::erase_if(table->entries, [&](const core::Entry& e) {
+    return e.key == names[0] || e.key == names[1] || !core::si_key(e.key, names).empty();
+  });
   Value value = value_of(level);
   if (factor == "material") value.data = material_table(base.file, text_of(level));
   table->entries.push_back({key, value});

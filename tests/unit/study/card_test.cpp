@@ -99,6 +99,24 @@ TEST_F(StudyCard, MaterialMayBeAFactor) {
   EXPECT_EQ(s.runs[1].press_case.material.name, "Lead, Ludwik hardening");
 }
 
+TEST_F(StudyCard, LevelsMayCarryTheirUnits) {
+  const auto s =
+      read("[design]\nkind = \"factorial\"\n[factors]\n"
+           "\"material.E\" = { values = [\"10 GPa\", \"20 GPa\"] }\nradius = { values = [\"0.5 mm\"] }\n",
+           "{ platen = 1, name = \"m\", model = \"von-mises\", parameters = { E = \"1 GPa\", nu = 0.3, "
+           "sigma_y = \"100 MPa\" } }");
+  ASSERT_EQ(s.runs.size(), 2u);
+  EXPECT_EQ(s.factors[0].name, "material.E_Pa");
+  EXPECT_EQ(std::get<double>(s.runs[1].inputs[0]), 20e9);
+  EXPECT_EQ(material::initial_E(s.runs[1].press_case.material.model), 20e9);
+  EXPECT_EQ(s.runs[1].press_case.radius_m, 0.5e-3);
+  const auto range = read("[design]\nkind = \"latin-hypercube\"\nruns = 4\n[factors]\n"
+                          "\"material.sigma_y\" = { min = \"100 MPa\", max = \"1 GPa\", scale = \"log\" }\n");
+  EXPECT_EQ(range.factors[0].name, "material.sigma_y_Pa");
+  EXPECT_EQ(range.factors[0].min, 1e8);
+  EXPECT_EQ(range.factors[0].max, 1e9);
+}
+
 TEST_F(StudyCard, KeysAreThoseOfTheStoresThatAreThere) {
   // As engine 6 named them: a new key with a default must not name them otherwise.
   const auto s = study::read_study(source + "/catalogue/pools/edmans-sinka/study.toml");
@@ -156,4 +174,7 @@ TEST_F(StudyCard, RefusesFactorsThatAreNone) {
   EXPECT_REFUSED(design + "\"mesh.elements\" = { values = [100.5] }\n", "a whole number");
   EXPECT_REFUSED(design + "experiment = { values = [\"dye\"] }\n", "the run with experiment = dye");
   EXPECT_REFUSED(design + "radius_m = { value = [1] }\n", "did you mean 'values'");
+  EXPECT_REFUSED(design + "\"material.E\" = { values = [\"1 GPa\", \"2 mm\"] }\n", "is a length");
+  EXPECT_REFUSED(design + "\"material.E\" = { values = [\"1 GPa\", 2] }\n", "2\" is no number with a unit");
+  EXPECT_REFUSED(design + "\"material.E_Pa\" = { values = [\"1 GPa\"] }\n", "write \"material.E\"");
 }
