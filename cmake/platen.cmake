@@ -29,9 +29,10 @@ function(platen_precompiled name library)
   target_precompile_headers(${name} PRIVATE ${ARGN})
 endfunction()
 
-# platen_folder(NAME [folders and libraries it stands on...]): src/NAME/*.cpp as target platen::NAME.
-function(platen_folder name)
-  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${name}/*.cpp)
+# platen_folder(FOLDER [folders and libraries it stands on...]): src/FOLDER/*.cpp as target platen::FOLDER, of a/b as platen::a_b.
+function(platen_folder folder)
+  string(REPLACE "/" "_" name ${folder})
+  file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/${folder}/*.cpp)
   add_library(platen_${name} STATIC ${sources})
   add_library(platen::${name} ALIAS platen_${name})
   target_include_directories(platen_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src)

@@ -4,14 +4,14 @@
 #include "calibrate/ask.hpp"
 #include "calibrate/calibration.hpp"
 #include "calibrate/confined.hpp"
-#include "calibrate/confined_prediction.hpp"
-#include "calibrate/measured_picture.hpp"
-#include "calibrate/profile_picture.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/number.hpp"
 #include "core/say.hpp"
 #include "plot/gnuplot.hpp"
+#include "plot/measured/confined_prediction.hpp"
+#include "plot/measured/measured_picture.hpp"
+#include "plot/measured/profile_picture.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -138,7 +138,7 @@ void write_confined(const calibrate::Calibration& c, const std::string& file) {
                   "confinement (docs/laws/{}.md)",
                   file, c.card.law, c.card.law));
   if (file.ends_with(".csv")) core::write_file(file, calibrate::confined_csv(curves));
-  else calibrate::confined_prediction(c, curves, file);
+  else plot::confined_prediction(c, curves, file);
 }
 
 calibrate::Calibration by_presses(const std::vector<measure::Measurement>& measurements,
@@ -157,9 +157,8 @@ void run_calibrate(Options o) {
   auto c = o.press           ? by_presses(measurements, settings, o)
            : o.of_material() ? calibrate::calibrate_material(measurements, settings)
                              : calibrate::calibrate(measurements, settings);
-  if (!o.picture.empty())
-    calibrate::measured_picture(measurements, c, o.picture); // also of what is refused then
-  if (!o.profiles.empty()) calibrate::profile_picture(c, o.profiles);
+  if (!o.picture.empty()) plot::measured_picture(measurements, c, o.picture); // also of what is refused then
+  if (!o.profiles.empty()) plot::profile_picture(c, o.profiles);
   std::string words = words_of(c);
   std::vector<std::string> flags;
   try {

@@ -2,8 +2,8 @@
 #include "app/measured_arguments.hpp"
 #include "core/file.hpp"
 #include "measure/curve_text.hpp"
-#include "measure/import_picture.hpp"
 #include "plot/gnuplot.hpp"
+#include "plot/measured/import_picture.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -74,7 +74,7 @@ void import(const Options& o) {
   std::vector<measure::Stages> stages;
   for (const auto& s : m.specimens) stages.push_back(measure::stages_of(s));
   if (!o.output.empty()) core::write_file(o.output, measure::curve_text(m, stages, machine));
-  if (!o.picture.empty()) measure::import_picture(m, stages, machine, o.picture);
+  if (!o.picture.empty()) plot::import_picture(m, stages, machine, o.picture);
   fmt::print(report_stream(o.output), "{}",
              o.json ? json_of(m, stages, machine) : words_of(m, stages, machine));
 }

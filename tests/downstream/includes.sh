@@ -6,14 +6,16 @@ set -u
 cd "$1" || exit 1
 declare -A stands_on=(
   [core]='' [capi]='' [dem]='fit press fe material core' [material]=core [fe]='material core' [press]='fe material core'
-  [fit]='press fe material core' [plot]='fit press fe material core' [measure]='plot fit press fe material core'
+  [fit]='press fe material core' [measure]='fit press fe material core'
   [study]='fit press fe material core' [surrogate]='study fit press fe material core'
-  [calibrate]='surrogate study measure plot fit press fe material core'
+  [calibrate]='surrogate study measure fit press fe material core'
+  [plot]='fit press fe material core' [plot/measured]='plot calibrate surrogate study measure fit press fe material core'
   [reproduce]='surrogate study plot fit press fe material core'
   [app]='reproduce plot calibrate surrogate study measure dem fit press fe material core')
 status=0
-for folder in src/*/; do
-  folder=$(basename "$folder")
+for folder in src/*/ src/plot/measured/; do
+  folder=${folder#src/}
+  folder=${folder%/}
   [ -n "${stands_on[$folder]+x}" ] || { echo "src/$folder is not in $0"; status=1; continue; }
   allowed=" $folder ${stands_on[$folder]} "
   while IFS=: read -r file line text; do

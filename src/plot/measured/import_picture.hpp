@@ -9,12 +9,12 @@
 #include <filesystem>
 #include <vector>
 
-namespace platen::measure {
+namespace platen::plot {
 
 /// Left, force over travel as measured, by what happens in each row. Right the same, corrected: F/(pi R^2)
 /// over delta/R, or where no diameter is known, force over delta; above it, what was taken off. SVG or PNG by
 /// file ending. Throws InvalidInput, IoError.
-void import_picture(const Measurement&, const std::vector<measure::Stages>&, const measure::Machine&,
+void import_picture(const measure::Measurement&, const std::vector<measure::Stages>&, const measure::Machine&,
                     const std::filesystem::path&);
 
-} // namespace platen::measure
+} // namespace platen::plot

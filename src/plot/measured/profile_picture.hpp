@@ -5,10 +5,10 @@
 
 #include <filesystem>
 
-namespace platen::calibrate {
+namespace platen::plot {
 
 /// For each profiled parameter what the deviance adds over its value, with the level of 95 % and the parabola
 /// that the standard error stands for. SVG or PNG by file ending. Throws InvalidInput, IoError.
-void profile_picture(const Calibration&, const std::filesystem::path&);
+void profile_picture(const calibrate::Calibration&, const std::filesystem::path&);
 
-} // namespace platen::calibrate
+} // namespace platen::plot

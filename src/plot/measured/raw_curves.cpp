@@ -1,4 +1,4 @@
-#include "measure/raw_curves.hpp"
+#include "plot/measured/raw_curves.hpp"
 
 #include "plot/axes.hpp"
 
@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <array>
 
-namespace platen::measure {
-
-using namespace plot;
+namespace platen::plot {
 
 namespace {
 
@@ -22,16 +20,16 @@ constexpr std::array kinds = {Kind{"before", "#8a949e", "before contact"},
                               Kind{"back", "#009e73", "unloading, reloading"},
                               Kind{"cut", "#d55e00", "broken: kept out"}};
 
-std::size_t kind_of(Stage stage) {
+std::size_t kind_of(measure::Stage stage) {
   switch (stage) {
-  case Stage::approach:
+  case measure::Stage::approach:
     return 0;
-  case Stage::loading:
+  case measure::Stage::loading:
     return 1;
-  case Stage::hold:
+  case measure::Stage::hold:
     return 2;
-  case Stage::unloading:
-  case Stage::reloading:
+  case measure::Stage::unloading:
+  case measure::Stage::reloading:
     return 3;
   default:
     return 4;
@@ -73,7 +71,7 @@ RawPanel raw_panel(const std::vector<Staged>& particles) {
     }
     rows[last] += "\n"; // lines of particles are not joined
   }
-  const plot::Unit force = unit_for(force_most, {{"kN", 1e3}, {"N", 1}, {"mN", 1e-3}, {"µN", 1e-6}});
+  const Unit force = unit_for(force_most, {{"kN", 1e3}, {"N", 1}, {"mN", 1e-3}, {"µN", 1e-6}});
   RawPanel panel;
   panel.commands = fmt::format("set title 'as measured' tc rgb '{0}'\n"
                                "set xlabel 'travel, sign turned where it was  (µm)' tc rgb '{0}'\n"
@@ -92,4 +90,4 @@ RawPanel raw_panel(const std::vector<Staged>& particles) {
   return panel;
 }
 
-} // namespace platen::measure
+} // namespace platen::plot

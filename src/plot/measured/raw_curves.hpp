@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-namespace platen::measure {
+namespace platen::plot {
 
 /// A particle with what was found in it.
 struct Staged {
-  const Specimen* specimen;
-  const Stages* stages;
+  const measure::Specimen* specimen;
+  const measure::Stages* stages;
 };
 
 /// For gnuplot: data blocks, and the axes and the plot command of a panel that shows them.
@@ -27,4 +27,4 @@ std::string data_block(const std::string& name, const std::string& rows);
 /// What both panels of such a picture begin with.
 std::string panel_style();
 
-} // namespace platen::measure
+} // namespace platen::plot

@@ -1,8 +1,8 @@
-#include "calibrate/confined_prediction.hpp"
+#include "plot/measured/confined_prediction.hpp"
 
-#include "measure/raw_curves.hpp"
 #include "plot/axes.hpp"
 #include "plot/gnuplot.hpp"
+#include "plot/measured/raw_curves.hpp"
 
 #include <fmt/format.h>
 
@@ -10,9 +10,7 @@
 #include <array>
 #include <numbers>
 
-namespace platen::calibrate {
-
-using namespace plot;
+namespace platen::plot {
 
 namespace {
 
@@ -34,7 +32,7 @@ std::string panel(const char* value, const char* band, const std::string& more, 
 
 } // namespace
 
-void confined_prediction(const Calibration& c, const std::vector<calibrate::ConfinedCurve>& curves,
+void confined_prediction(const calibrate::Calibration& c, const std::vector<calibrate::ConfinedCurve>& curves,
                          const std::filesystem::path& file) {
   std::string data, points;
   double most = 0;
@@ -45,7 +43,7 @@ void confined_prediction(const Calibration& c, const std::vector<calibrate::Conf
       rows += fmt::format("{:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g}\n", curves[k].delta_bar[i],
                           p.value / 1e6, p.low / 1e6, p.high / 1e6, a.value, a.low, a.high);
     }
-    data += measure::data_block(fmt::format("c{}", k), rows);
+    data += data_block(fmt::format("c{}", k), rows);
   }
   for (const auto& p : c.particles) {
     const double area = std::numbers::pi * p.samples.radius_m * p.samples.radius_m * 1e6; // MPa
@@ -58,7 +56,7 @@ void confined_prediction(const Calibration& c, const std::vector<calibrate::Conf
   // A full cell takes any force: the die is shown to twice what the planes alone would take at the end.
   const double top = 2 * std::max(most, curves.front().pressure_Pa.back().value / 1e6);
   const std::string script =
-      terminal(file, 1100, 520) + data + measure::data_block("points", points) + measure::panel_style() +
+      terminal(file, 1100, 520) + data + data_block("points", points) + panel_style() +
       fmt::format("set multiplot layout 1,2\nset xrange [0:0.5]\nset yrange [0:{1:.6g}]\n"
                   "set title 'force, law {2}' tc rgb '{0}'\nset xlabel 'overlap  δ/R' tc rgb '{0}'\n"
                   "set ylabel 'F/(πR²)  (MPa)' tc rgb '{0}'\n",
@@ -71,4 +69,4 @@ void confined_prediction(const Calibration& c, const std::vector<calibrate::Conf
   run_gnuplot(script, file);
 }
 
-} // namespace platen::calibrate
+} // namespace platen::plot

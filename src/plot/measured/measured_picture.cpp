@@ -1,17 +1,15 @@
-#include "calibrate/measured_picture.hpp"
+#include "plot/measured/measured_picture.hpp"
 
-#include "measure/raw_curves.hpp"
 #include "measure/stages.hpp"
 #include "plot/axes.hpp"
 #include "plot/gnuplot.hpp"
+#include "plot/measured/raw_curves.hpp"
 
 #include <fmt/format.h>
 
 #include <numbers>
 
-namespace platen::calibrate {
-
-using namespace plot;
+namespace platen::plot {
 
 namespace {
 
@@ -19,15 +17,15 @@ constexpr const char *law_colour = "#0072b2", *points_colour = "#8a949e"; // Oka
 
 } // namespace
 
-void measured_picture(const std::vector<measure::Measurement>& measurements, const Calibration& c,
+void measured_picture(const std::vector<measure::Measurement>& measurements, const calibrate::Calibration& c,
                       const std::filesystem::path& file) {
   std::vector<measure::Stages> stages;
   std::vector<const measure::Specimen*> specimens;
   for (const auto& m : measurements)
     for (const auto& s : m.specimens) specimens.push_back(&s), stages.push_back(measure::stages_of(s));
-  std::vector<measure::Staged> particles;
+  std::vector<Staged> particles;
   for (std::size_t k = 0; k < specimens.size(); ++k) particles.push_back({specimens[k], &stages[k]});
-  const auto panel = measure::raw_panel(particles);
+  const auto panel = raw_panel(particles);
   std::string points, law;
   for (const auto& p : c.particles) {
     const auto& s = p.samples;
@@ -40,9 +38,8 @@ void measured_picture(const std::vector<measure::Measurement>& measurements, con
     points += "\n", law += "\n";
   }
   const std::string script =
-      terminal(file, 1100, 520) + panel.data + measure::data_block("points", points) +
-      measure::data_block("law", law) + measure::panel_style() + "set multiplot layout 1,2\n" +
-      panel.commands +
+      terminal(file, 1100, 520) + panel.data + data_block("points", points) + data_block("law", law) +
+      panel_style() + "set multiplot layout 1,2\n" + panel.commands +
       fmt::format("set title {1} noenhanced tc rgb '{0}'\nset xlabel 'overlap  δ/R' tc rgb '{0}'\n"
                   "set ylabel 'F/(πR²)  (MPa)' tc rgb '{0}'\n"
                   "plot $points with points pt 7 ps 0.5 lc rgb '{2}' title 'corrected', "
@@ -55,4 +52,4 @@ void measured_picture(const std::vector<measure::Measurement>& measurements, con
   run_gnuplot(script, file);
 }
 
-} // namespace platen::calibrate
+} // namespace platen::plot

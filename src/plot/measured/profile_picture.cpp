@@ -1,4 +1,4 @@
-#include "calibrate/profile_picture.hpp"
+#include "plot/measured/profile_picture.hpp"
 
 #include "plot/axes.hpp"
 #include "plot/gnuplot.hpp"
@@ -7,9 +7,7 @@
 
 #include <cmath>
 
-namespace platen::calibrate {
-
-using namespace plot;
+namespace platen::plot {
 
 namespace {
 
@@ -27,7 +25,7 @@ Shown shown(const std::string& key, double value) {
 
 } // namespace
 
-void profile_picture(const Calibration& c, const std::filesystem::path& file) {
+void profile_picture(const calibrate::Calibration& c, const std::filesystem::path& file) {
   std::string data, panels;
   int count = 0;
   for (std::size_t k = 0; k < c.free.size(); ++k) {
@@ -45,7 +43,7 @@ void profile_picture(const Calibration& c, const std::filesystem::path& file) {
                       c.values[k] / unit, std::pow(error / unit, 2), parabola);
     panels += fmt::format("plot {0} with lines lw 1 lc rgb '{1}' title '95 %'{2}, $p{3} using 1:2 with "
                           "linespoints lw 2 pt 7 ps 0.5 lc rgb '{4}' title 'profile'\n",
-                          deviance_95, level, more, count, curve);
+                          calibrate::deviance_95, level, more, count, curve);
     ++count;
   }
   const std::string script =
@@ -59,4 +57,4 @@ void profile_picture(const Calibration& c, const std::filesystem::path& file) {
   run_gnuplot(script, file);
 }
 
-} // namespace platen::calibrate
+} // namespace platen::plot

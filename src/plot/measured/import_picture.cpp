@@ -1,23 +1,21 @@
-#include "measure/import_picture.hpp"
+#include "plot/measured/import_picture.hpp"
 
-#include "measure/raw_curves.hpp"
 #include "plot/axes.hpp"
 #include "plot/gnuplot.hpp"
+#include "plot/measured/raw_curves.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numbers>
 
-namespace platen::measure {
-
-using namespace plot;
+namespace platen::plot {
 
 namespace {
 
 /// A line each, in the corner of the panel.
-std::string corrections(const Measurement& m, const std::vector<measure::Stages>& stages,
-                        const Machine& machine) {
+std::string corrections(const measure::Measurement& m, const std::vector<measure::Stages>& stages,
+                        const measure::Machine& machine) {
   std::vector<std::string> words;
   double most = 0;
   for (const auto& s : m.specimens) most = std::max(most, *std::ranges::max_element(s.force_N));
@@ -41,8 +39,8 @@ std::string corrections(const Measurement& m, const std::vector<measure::Stages>
 
 } // namespace
 
-void import_picture(const Measurement& m, const std::vector<measure::Stages>& stages, const Machine& machine,
-                    const std::filesystem::path& file) {
+void import_picture(const measure::Measurement& m, const std::vector<measure::Stages>& stages,
+                    const measure::Machine& machine, const std::filesystem::path& file) {
   std::vector<Staged> particles;
   bool sized = true;
   for (std::size_t k = 0; k < m.specimens.size(); ++k) {
@@ -65,8 +63,8 @@ void import_picture(const Measurement& m, const std::vector<measure::Stages>& st
     }
     points += "\n";
   }
-  const plot::Unit unit = sized ? plot::Unit{"MPa", 1}
-                                : unit_for(force_most, {{"kN", 1e3}, {"N", 1}, {"mN", 1e-3}, {"µN", 1e-6}});
+  const Unit unit =
+      sized ? Unit{"MPa", 1} : unit_for(force_most, {{"kN", 1e3}, {"N", 1}, {"mN", 1e-3}, {"µN", 1e-6}});
   const std::string script =
       terminal(file, 1100, 520) + panel.data + data_block("points", points) + panel_style() +
       "set multiplot layout 1,2\n" + panel.commands + corrections(m, stages, machine) +
@@ -79,4 +77,4 @@ void import_picture(const Measurement& m, const std::vector<measure::Stages>& st
   run_gnuplot(script, file);
 }
 
-} // namespace platen::measure
+} // namespace platen::plot
