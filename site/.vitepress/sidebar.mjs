@@ -26,6 +26,8 @@ export const sections = () => [
     ['Use your own material', 'how-to/your-own-material'],
     ['Get a law without a press', 'how-to/predict'],
     ['Read a file of a testing machine', 'how-to/measured-file'],
+    ['Get a material from measured curves', 'how-to/measured-material'],
+    ['Exchange materials with Abaqus', 'how-to/abaqus'],
     ['Find the error of a law', 'how-to/error-of-a-law'],
     ['Look inside a particle', 'how-to/look-inside'],
     ['Press in a die or from all sides', 'how-to/confined'],
