@@ -55,27 +55,22 @@ springs() { # NAME DELTA_BAR POISSONS_RATIO
       printf "eepa,E_Pa=%.5g,lambda_p=%.4g,label=eepa (calibrated)\n", F0 / x0^1.5 * 0.75 / sqrt(R) * (1 - nu * nu), l
     }' "$work/$1.csv"
 }
-# The tables of `compare`, one for each range: all of it as rows of which-law.csv, force, radius and lost work side by side
-# for the page, in the order of the force in the middle range. In parentheses: beyond the law's own validity.
+# The tables of `compare`, one for each range: all of it as rows of which-law.csv; for the page the force of each range side by
+# side, and radius and lost work of the last, in the order of the force in the middle one. In parentheses: beyond the law's validity.
 columns() { # NAME
   awk -v name="$1" -v csv="$work/which-law.csv" '
-    function joined(part, law,   r, text) {
-      for (r = 1; r <= ranges; ++r) text = text (r > 1 ? ", " : "") ((r, part, law) in is ? is[r, part, law] : "–")
-      return text
-    }
     / ≤ / { range[++ranges] = $NF; head = $0; gsub(/ /, "", head); next }
     !/^[|] [0-9]/ { next }
     { split($0, c, / *[|] */); law = c[3]
       printf "%s,%s,%s,%s,%s,%s,%s,%s,%s\n", name, head, c[2], law, c[4], c[5], c[6], c[7] == "–" ? "" : c[7], c[8] >> csv
-      is[ranges, "force", law] = c[8] == "yes" ? c[4] : "(" c[4] ")"
-      is[ranges, "radius", law] = c[5]; is[ranges, "work", law] = c[7]
+      force[ranges, law] = c[8] == "yes" ? c[4] : "(" c[4] ")"
+      radius[law] = c[5]; work[law] = c[7]
       if (ranges == 2) order[++laws] = law }
     END {
-      printf "| law or curve | force %%: δ/R ≤ %s | to %s | to %s | radius %%, the same | lost work %%, the same |\n|---|---|---|---|---|---|\n", \
-        range[1], range[2], range[3]
-      for (i = 1; i <= laws; ++i) { law = order[i]
-        printf "| %s | %s | %s | %s | %s | %s |\n", law, is[1, "force", law], is[2, "force", law], is[3, "force", law], \
-          joined("radius", law), joined("work", law) } }' "$work/$1.table"
+      printf "| law or curve | force %%: δ/R ≤ %s | to %s | to %s | radius %% | lost work %% |\n|---|---|---|---|---|---|\n", range[1], range[2], range[3]
+      for (i = 1; i <= laws; ++i) {
+        law = order[i]
+        printf "| %s | %s | %s | %s | %s | %s |\n", law, force[1, law], force[2, law], force[3, law], radius[law], work[law] } }' "$work/$1.table"
 }
 put() { # NAME: between the marks of the page
   columns "$1" > "$work/$1.columns"
