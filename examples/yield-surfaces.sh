@@ -4,7 +4,7 @@ platen=$(realpath "${1:-build/release/bin/platen}") # the program
 out=${2:-$(mktemp -d)} # where results go
 
 # One grain with three yield surfaces of equal uniaxial strength (Wang et al., section 3.4), 100 N. Pressure beside Hertz:
-# pressure.svg of each; docs/explanation/local-press.md says why they differ.
+# pressure.svg of each; docs/explanation/grains-of-rock.md says why they differ.
 mkdir -p "$out"
 for material in sandstone-wang-3-4 sandstone-wang-3-4-mohr-coulomb sandstone-wang-3-4-von-mises; do
   cat > "$out/case.toml" <<CARD

@@ -108,7 +108,7 @@ const anchorsOf = file => {
   return anchors.get(file)
 }
 let forge = 0
-for (const document of [...documents.filter(file => file !== 'site/start.md'), 'CHANGELOG.md', 'plugins/yade/README.md', 'site/README.md'])
+for (const document of [...documents.filter(file => file !== 'site/start.md'), 'CHANGELOG.md', 'plugins/yade/README.md', 'site/README.md', 'src/press/alternatives.md', 'src/surrogate/alternatives.md', 'bench/peers/README.md'])
   for (const [, target] of readFileSync(join(root, document), 'utf8').replace(/^\s*```[\s\S]*?^\s*```/gm, '').matchAll(/\]\(([^)\s]+)\)/g)) {
     if (/^[a-z]+:/.test(target)) continue
     ++forge

@@ -27,16 +27,17 @@ const block = (text, kind = 'text') => '````' + kind + '\n' + text.trimEnd() + '
 
 // --- files of the repository, and where they stand in the site ---
 
+const ours = path => path.startsWith('docs/') && (path.endsWith('.md') || picture.test(path)) // a page; else a file that a page shows
 const staged = path => {
   if (path === 'README.md' || path === 'site/start.md') return 'index.md'
   if (['CHANGELOG.md', 'CONTRIBUTING.md'].includes(path)) return path.toLowerCase()
-  const name = path.startsWith('docs/') ? path.slice(5) : 'source/' + path
+  const name = ours(path) ? path.slice(5) : 'source/' + path
   if (picture.test(name)) return name
   if (!name.endsWith('.md')) return name + '.md'
   return name.replace(/(^|\/)README\.md$/, '$1index.md')
 }
 
-const waiting = [] // files outside docs/ that a page links to: they become pages too
+const waiting = [] // files that a page links to: they become pages too
 const known = new Set()
 const want = path => { if (!known.has(path)) known.add(path), waiting.push(path) }
 
@@ -68,7 +69,7 @@ const notebook = path => JSON.parse(read(path)).cells.map(cell => {
 const stage = path => {
   const to = staged(path)
   if (picture.test(path)) return void (mkdirSync(dirname(join(out, to)), { recursive: true }), cpSync(join(root, path), join(out, to)))
-  const outside = !path.startsWith('docs/') && !/^(CHANGELOG|CONTRIBUTING)/.test(path)
+  const outside = !ours(path) && !/^(CHANGELOG|CONTRIBUTING)/.test(path)
   const head = `---\nfrom: ${path}\n${outside ? 'search: false\n' : ''}---\n\n`
   if (path.endsWith('.md')) return write(to, head + relink(read(path), path) + (after[path]?.() ?? ''))
   if (path.endsWith('.ipynb')) return write(to, head + notebook(path))

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Presses five materials, compares the laws with them and writes tables and pictures into which-law.md.
+# Presses five materials, compares the laws with them and writes pictures, tables into which-law.md, and all of it as which-law.csv.
 # Usage: docs/laws/which-law.sh PLATEN_PROGRAM [ELEMENTS]
 set -eu
 platen=$(realpath "$1")
@@ -17,6 +17,7 @@ sigma_y_Pa = 100e6
 E_bar = 1000
 nu = 0.3
 TOML
+echo "material,range of delta/R,rank,law,force %,radius %,stiffness %,lost work %,in range" > "$work/which-law.csv"
 count=0
 press() { # NAME MATERIAL DELTA_BAR_MAX UNLOAD_FROM
   count=$((count + 1))
@@ -54,8 +55,26 @@ springs() { # NAME DELTA_BAR POISSONS_RATIO
       printf "eepa,E_Pa=%.5g,lambda_p=%.4g,label=eepa (calibrated)\n", F0 / x0^1.5 * 0.75 / sqrt(R) * (1 - nu * nu), l
     }' "$work/$1.csv"
 }
-put() { # NAME FILE: between the marks of the page
-  awk -v name="$1" -v file="$2" '
+# The tables of `compare`, one for each range: all of it as rows of which-law.csv; for the page the force of each range side by
+# side, and radius and lost work of the last, in the order of the force in the middle one. In parentheses: beyond the law's validity.
+columns() { # NAME
+  awk -v name="$1" -v csv="$work/which-law.csv" '
+    / ≤ / { range[++ranges] = $NF; head = $0; gsub(/ /, "", head); next }
+    !/^[|] [0-9]/ { next }
+    { split($0, c, / *[|] */); law = c[3]
+      printf "%s,%s,%s,%s,%s,%s,%s,%s,%s\n", name, head, c[2], law, c[4], c[5], c[6], c[7] == "–" ? "" : c[7], c[8] >> csv
+      force[ranges, law] = c[8] == "yes" ? c[4] : "(" c[4] ")"
+      radius[law] = c[5]; work[law] = c[7]
+      if (ranges == 2) order[++laws] = law }
+    END {
+      printf "| law or curve | force %%: δ/R ≤ %s | to %s | to %s | radius %% | lost work %% |\n|---|---|---|---|---|---|\n", range[1], range[2], range[3]
+      for (i = 1; i <= laws; ++i) {
+        law = order[i]
+        printf "| %s | %s | %s | %s | %s | %s |\n", law, force[1, law], force[2, law], force[3, law], radius[law], work[law] } }' "$work/$1.table"
+}
+put() { # NAME: between the marks of the page
+  columns "$1" > "$work/$1.columns"
+  awk -v name="$1" -v file="$work/$1.columns" '
     $0 == "<!-- " name " -->" { print; print ""; while ((getline line < file) > 0) print line; print ""; skip = 1; next }
     $0 == "<!-- end -->" { skip = 0 }
     !skip' which-law.md > "$work/page" && cp "$work/page" which-law.md
@@ -75,7 +94,7 @@ compare() { # NAME MATERIAL RANGES NU CALIBRATE_AT WORDS_OF_-p LAWS...
   sed '1,2d' table > "$name.table"
   cd - > /dev/null
   cp "$work/$name.svg" "which-law-$name.svg"
-  put "$name" "$work/$name.table"
+  put "$name"
 }
 tn() { printf 'thornton-ning,p_y_Pa=%s,label=thornton-ning (p_y = %s σ_y)' "$1" "$2"; }
 
@@ -94,4 +113,5 @@ compare porous base-case 0.01,0.1 0.3 0.2 "" hertz agarwal jackson-green kogut-e
 press sandstone wang-type-1 0.1 '[0.02, 0.05, 0.1]'
 compare sandstone wang-type-1 0.001,0.01 0.15 0.05 "-p phi_deg=25" hertz wang agarwal jackson-green kogut-etsion etsion-unloading mdr \
   "$(tn 2.4e7 1.6)" "$(tn 4.2e7 2.8)" "similarity,kappa_Pa=15e6,inverse_m=0,label=similarity" "shahin,kappa_Pa=15e6,inverse_m=0,label=shahin"
-echo "which-law: docs/laws/which-law.md and its pictures" >&2
+cp "$work/which-law.csv" which-law.csv
+echo "which-law: docs/laws/which-law.md, which-law.csv and the pictures" >&2

@@ -90,7 +90,7 @@ struct PhiRate {
   double v, w;
 };
 
-/// Which bounds of the material description were active at a state (docs/explanation/materials.md, bounds:
+/// Which bounds of the material description were active at a state (docs/explanation/porous-materials.md:
 /// nothing is clamped in silence).
 struct Bounds {
   bool rho_r = false;   ///< properties held at their values for rho_r = 1

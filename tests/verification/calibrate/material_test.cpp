@@ -111,7 +111,7 @@ TEST(Material, WhatTheSurrogateDoesNotKnowIsInTheStandardError) {
   const calibrate::FreeMaterial sought("von-mises", {{"nu", "0.2"}}, {});
   const auto truth = sought.with(synthetic::bead);
   const auto c = calibrated(pressed(truth, 300, {0.1, 0.2}), 1, {20e-6, 0.001, 0, 0, 0.1}, sought);
-  // Pools have nu = 0.3; a metal of another is as uncertain as docs/explanation/predict.md says: 0.7 %.
+  // Pools have nu = 0.3; a metal of another is as uncertain as docs/explanation/surrogate.md says: 0.7 %.
   EXPECT_GT(c.errors[0], 0.005 * c.values[0]);
   EXPECT_GT(c.errors[0], 2 * c.noise_errors[0]);
 }

@@ -1,5 +1,5 @@
 // Ways to predict the granules of Edmans & Sinka's design, side by side: the table of
-// docs/explanation/predict.md, which `platen study methods` prints.
+// docs/explanation/surrogate.md, which `platen study methods` prints.
 
 #include "surrogate/methods.hpp"
 

@@ -1,5 +1,5 @@
 // Rock: natural neighbours between the 162 grains of Wang et al., Table 1, against their Table 4 and beside
-// other ways; what docs/explanation/predict.md claims of them.
+// other ways; what docs/explanation/surrogate.md and predict.md claim of them.
 
 #include "surrogate/rock.hpp"
 
