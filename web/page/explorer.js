@@ -2,7 +2,7 @@
 
 import { Chart, element, exported } from './chart.js';
 import { fromLink, initial, toLink } from './link.js';
-import { allOf, answered, fromCard, models, particle, positionOf, questions, starting, valueAt } from './materials.js';
+import { allOf, answered, cardOf, fromCard, lines, models, particle, positionOf, questions, starting, valueAt } from './materials.js';
 import { typed, words } from './quantity.js';
 
 const $ = (id) => document.getElementById(id);
@@ -61,8 +61,7 @@ function broken(sentence) {
 
 // --- the state as the worker reads it --------------------------------------------------------------------------------------------
 
-const materialText = () => [`name=${state.name}`, `model=${state.model}`,
-  ...allOf(state.model).map((p) => `${p.key}=${state.values[p.key]}`)].join('\n');
+const materialText = () => [`name=${state.name}`, `model=${cardOf(state.model)}`, ...lines(state.model, state.values)].join('\n');
 const curvesText = () => `radius_m=${state.radius_m}\ndensity=${state.density}\nagainst=${state.against}\nbeside=${state.beside.join(',')}`;
 
 function changed({ byHand = true } = {}) {
@@ -166,7 +165,7 @@ function build() {
 }
 
 function buildMaterial() {
-  for (const p of allOf('vmdc').concat(allOf('von-mises'))) fields.delete(p.key);
+  for (const p of Object.keys(models).flatMap(allOf)) fields.delete(p.key);
   $('sliders').textContent = $('more-sliders').textContent = '';
   const model = models[state.model];
   const get = (p) => () => state.values[p.key];
@@ -457,6 +456,7 @@ function lawChips(laws) {
   }).join('');
   const notes = state.beside.filter((law) => laws.includes(law)).map((law) => lawNotes[law]).filter(Boolean);
   if (state.model === 'vmdc' && state.beside.some((law) => ['similarity', 'jackson-green', 'mdr', 'agarwal'].includes(law))) notes.push('laws of metals take Γ for the yield stress');
+  if (state.model === 'ludwik' && state.beside.some((law) => law !== 'hertz')) notes.push('laws of metals take the yield stress where it begins');
   setText('laws-note', ['Thin lines: beyond what a law was made for', ...notes].join('; ') + '.');
   for (const input of $('laws').querySelectorAll('input')) {
     if (input.value === focused) input.focus();
@@ -501,6 +501,7 @@ $('fit').addEventListener('click', () => {
     if (sentence) { $('measured').textContent = sentenceOf(sentence); return; }
     const own = Number(f.value.toPrecision(4)), by = own / f.was;
     if (state.model === 'von-mises' || state.model === 'elastic') state.values[f.key] = own;
+    else if (state.model === 'ludwik') Object.assign(state.values, { sigma_y_Pa: own, K_Pa: Number((state.values.K_Pa * by).toPrecision(6)) });
     else { state.values.sigma_y_Pa = own; state.values.E_bar = Number((state.values.E_bar / by).toPrecision(6)); }
     ownNow();
     showAll();

@@ -11,6 +11,15 @@ export const models = {
       stress('sigma_y_Pa', 'σ_y', 'yield stress', 1e4, 2e10, 100e6), plain('nu', 'ν', "Poisson's ratio", 0, 0.45, 0.3)],
     beside: ['hertz', 'similarity'],
   },
+  ludwik: { // flow stress sigma_y + K eps^(1/n)
+    title: 'Metal that hardens', says: 'gets stronger where it is strained', card: 'von-mises', fixed: { 'hardening.kind': 'ludwik' },
+    parameters: [stress('E_Pa', 'E', "Young's modulus", 1e6, 1e12, 70e9),
+      stress('sigma_y_Pa', 'σ_y', 'yield stress, where it begins', 1e4, 2e10, 100e6),
+      { ...stress('K_Pa', 'K', 'what a strain of 1 adds to it', 1e4, 2e11, 200e6), card: 'hardening.K_Pa' },
+      { ...plain('inverse_n', '1/n', 'hardening exponent', 0.1, 1, 0.4), card: 'hardening.inverse_n' },
+      plain('nu', 'ν', "Poisson's ratio", 0, 0.45, 0.3)],
+    beside: ['hertz', 'jackson-green'],
+  },
   vmdc: {
     title: 'Porous granule', says: 'compacts while it is pressed',
     parameters: [stress('sigma_y_Pa', 'σ_y', 'compressive strength, as it is', 1e4, 2e9, 150e6),
@@ -37,6 +46,10 @@ export const particle = [
 ];
 
 export const allOf = (model) => [...models[model].parameters, ...(models[model].more ?? [])];
+// What a card says of them: its model, and key=value lines of its parameters.
+export const cardOf = (model) => models[model].card ?? model;
+export const lines = (model, values) => [...Object.entries(models[model].fixed ?? {}),
+  ...allOf(model).map((p) => [p.card ?? p.key, values[p.key]])].map(([key, value]) => `${key}=${value}`);
 export const starting = (parameters) => Object.fromEntries(parameters.map((p) => [p.key, p.start]));
 
 export function positionOf(p, value) {

@@ -38,7 +38,7 @@ Beside beside_of(const std::string& name, const material::Material& m) {
   auto words = fit::law_words(m);
   Beside b{name, name, {}};
   if (const auto sigma = words.find("sigma_y_Pa"); sigma != words.end()) {
-    words["kappa_Pa"] = sigma->second;
+    words["kappa_Pa"] = sigma->second; // laws of metals that do not harden
     words["inverse_m"] = "0";
     words["p_y_Pa"] = core::number_text(1.6 * *core::number_from(sigma->second)); // where yield begins
   }
@@ -60,6 +60,9 @@ std::vector<std::string> laws_beside(const material::Model& model) {
   if (std::holds_alternative<material::Elastic>(model)) return {"hertz"};
   if (std::holds_alternative<material::Vmdc>(model))
     return {"hertz", "edmans-sinka", "similarity", "jackson-green", "mdr", "agarwal"};
+  if (const auto* metal = std::get_if<material::VonMises>(&model);
+      metal && !std::holds_alternative<material::PerfectlyPlastic>(metal->hardening))
+    return {"hertz", "thornton-ning", "kogut-etsion", "jackson-green", "mdr", "agarwal"};
   return {"hertz", "similarity", "thornton-ning", "kogut-etsion", "jackson-green", "mdr", "agarwal"};
 }
 
@@ -78,12 +81,18 @@ void positive(const char* key, double value) {
 
 material::Material material_of(const law::ParameterTexts& texts) {
   core::Table card{"material", "", 0, {{"platen", {std::int64_t{1}, 0}}}},
-      parameters{"material", "parameters", 0, {}};
+      parameters{"material", "parameters", 0, {}}, hardening{"material", "parameters.hardening", 0, {}};
+  constexpr std::string_view hardens = "hardening.";
   for (const auto& [key, text] : texts) {
+    const bool inside = key.starts_with(hardens);
     if (key == "name" || key == "model") card.entries.push_back({key, {text, 0}});
-    else if (const auto value = core::number_from(text)) parameters.entries.push_back({key, {*value, 0}});
+    else if (key == "hardening.kind") hardening.entries.push_back({"kind", {text, 0}});
+    else if (const auto value = core::number_from(text))
+      (inside ? hardening : parameters)
+          .entries.push_back({inside ? key.substr(hardens.size()) : key, {*value, 0}});
     else throw core::InvalidInput(fmt::format("{} = {} is not a number", key, text));
   }
+  if (!hardening.entries.empty()) parameters.entries.push_back({"hardening", {hardening, 0}});
   card.entries.push_back({"parameters", {parameters, 0}});
   return material::read_card(card).material;
 }

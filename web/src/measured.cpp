@@ -30,8 +30,10 @@ Strength strength_of(const material::Model& model) {
 }
 material::Material with_strength(material::Material m, double value) {
   if (auto* elastic = std::get_if<material::Elastic>(&m.model)) elastic->E = value;
-  else if (auto* metal = std::get_if<material::VonMises>(&m.model)) metal->sigma_y = value;
-  else if (auto* granule = std::get_if<material::Vmdc>(&m.model)) {
+  else if (auto* metal = std::get_if<material::VonMises>(&m.model)) {
+    if (auto* ludwik = std::get_if<material::Ludwik>(&metal->hardening)) ludwik->K *= value / metal->sigma_y;
+    metal->sigma_y = value;
+  } else if (auto* granule = std::get_if<material::Vmdc>(&m.model)) {
     const double factor = value / granule->sigma_y;
     granule->sigma_y *= factor;
     granule->Gamma *= factor;

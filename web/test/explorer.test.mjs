@@ -7,7 +7,7 @@ import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { chromium } from 'playwright-core';
 import { fromLink, initial, toLink } from '../page/link.js';
-import { allOf, models, particle, valueAt } from '../page/materials.js';
+import { allOf, cardOf, lines, models, particle, valueAt } from '../page/materials.js';
 import { typed, words } from '../page/quantity.js';
 import { serve } from './server.mjs';
 
@@ -48,11 +48,16 @@ function si(text) {
 
 function randomState() {
   const s = initial();
-  s.model = ['von-mises', 'vmdc', 'vmdc', 'elastic'][Math.floor(4 * random())];
+  s.model = ['von-mises', 'ludwik', 'vmdc', 'vmdc', 'elastic'][Math.floor(5 * random())];
   s.name = 'random';
   s.values = {};
   for (const p of allOf(s.model)) s.values[p.key] = valueAt(p, 300 + Math.round(400 * random()));
   if (s.model === 'von-mises') s.values.sigma_y_Pa = Number((s.values.E_Pa / (5 * 200 ** random())).toPrecision(3)), s.values.nu = 0.3;
+  if (s.model === 'ludwik') {
+    const round = (x) => Number(x.toPrecision(3));
+    s.values.sigma_y_Pa = round(s.values.E_Pa / (40 * 50 ** random())), s.values.nu = round(0.22 + 0.16 * random());
+    s.values.K_Pa = round(s.values.sigma_y_Pa * 0.2 * 50 ** random()), s.values.inverse_n = round(0.2 + 0.7 * random());
+  }
   if (s.model === 'vmdc') { // about the published powders, or about the base case
     const near = random() < 0.5 ? { rho_r0: 0.4, E_bar: 80, nu: 0.15, Gamma_bar: 1.1, Lambda_bar: 0.03, epsilon: 0.25, eta: 8, xi: 7.5, zeta: 8, omega: 8, xi_1: 0.4, xi_2: 2 }
       : { rho_r0: 0.7, E_bar: 60, nu: 0.3, Gamma_bar: 0.7, Lambda_bar: 0.05, epsilon: 0.7, eta: 10, xi: 7.5, zeta: 10, omega: 10, xi_1: 0.4, xi_2: 1.5 };
@@ -76,8 +81,9 @@ test('values on screen are those of the program, 50 random materials', { timeout
     const before = await page.evaluate(() => document.documentElement.dataset.revision);
     await page.evaluate((hash) => { location.hash = hash; }, toLink(s));
     await page.waitForFunction((r) => document.documentElement.dataset.revision !== r, before);
-    writeFileSync(join(work, 'material.toml'), `platen = 1\nname = "random"\nmodel = "${s.model}"\n[parameters]\n` +
-      Object.entries(s.values).map(([key, value]) => `${key} = ${value}\n`).join(''));
+    const quoted = (line) => line.replace(/=([a-z]+)$/, '="$1"');
+    writeFileSync(join(work, 'material.toml'), `platen = 1\nname = "random"\nmodel = "${cardOf(s.model)}"\n[parameters]\n` +
+      lines(s.model, s.values).map(quoted).join('\n'));
     let card = null;
     try {
       execFileSync(platen, ['predict', 'material.toml', '--quick', '--extrapolate', '-o', 'law.toml'], { cwd: work, stdio: 'pipe' });
@@ -326,7 +332,7 @@ test('speed (printed)', { timeout: 120000 }, async () => {
   const start = await first.evaluate(() => performance.getEntriesByName('first curve')[0].startTime);
   console.log(`    first curve ${start.toFixed(0)} ms after opening`);
   await closed(first);
-  for (const [what, model] of Object.entries({ metal: 'von-mises', granule: 'vmdc' })) {
+  for (const [what, model] of Object.entries({ metal: 'von-mises', 'metal that hardens': 'ludwik', granule: 'vmdc' })) {
     const card = { ...initial(), model, name: 'x', values: Object.fromEntries(allOf(model).map((p) => [p.key, p.start])), beside: models[model].beside };
     const page = await opened({ hash: toLink(card) });
     await page.waitForSelector('[data-ready]', { state: 'attached', timeout: 60000 });
