@@ -15,7 +15,7 @@ inline double steepness(double r) { return (1 + r) * std::exp(-r); }
 
 inline double distance(std::span<const double> w, std::span<const double> x, std::span<const double> y) {
   double squares = 0;
-  for (std::size_t k = 0; k < w.size(); ++k) squares += std::pow(w[k] * (x[k] - y[k]), 2);
+  for (std::size_t k = 0; k < w.size(); ++k) squares += w[k] * (x[k] - y[k]) * w[k] * (x[k] - y[k]);
   return std::sqrt(5 * squares);
 }
 
@@ -29,18 +29,52 @@ inline double covariance(const Process& p, std::span<const double> x, std::span<
   return p.variance * (correlation(distance(p.w, x, y)) + p.plane * plane_product(x, y));
 }
 
-/// The matrix over v.
-inline Eigen::MatrixXd matrix_of(const Process& p, const Inputs& inputs) {
-  const auto n = static_cast<Eigen::Index>(inputs.size());
-  Process unit = p;
-  unit.variance = 1;
-  Eigen::MatrixXd R(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    for (Eigen::Index j = 0; j <= i; ++j)
-      R(i, j) = R(j, i) =
-          covariance(unit, inputs.row(static_cast<std::size_t>(i)), inputs.row(static_cast<std::size_t>(j)));
-    R(i, i) += p.nugget;
+using Rows = Eigen::Map<const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>;
+inline Rows rows_of(const Inputs& inputs) {
+  return {inputs.values.data(), static_cast<Eigen::Index>(inputs.size()),
+          static_cast<Eigen::Index>(inputs.dimensions)};
+}
+inline Eigen::Map<const Eigen::VectorXd> vector_of(std::span<const double> x) {
+  return {x.data(), static_cast<Eigen::Index>(x.size())};
+}
+
+/// Of all inputs from a place.
+inline Eigen::ArrayXd distances(const Process& p, const Inputs& inputs, std::span<const double> at) {
+  const auto rows = rows_of(inputs);
+  Eigen::ArrayXd squares = Eigen::ArrayXd::Zero(rows.rows());
+  for (Eigen::Index k = 0; k < rows.cols(); ++k) {
+    const auto i = static_cast<std::size_t>(k);
+    squares += (p.w[i] * (rows.col(k).array() - at[i])).square();
   }
+  return (5 * squares).sqrt();
+}
+/// The kernels over v between all inputs and a place, of those distances.
+inline Eigen::ArrayXd kernels(const Process& p, const Inputs& inputs, std::span<const double> at,
+                              const Eigen::ArrayXd& r) {
+  const Eigen::VectorXd centred = (vector_of(at).array() - 0.5).matrix();
+  const Eigen::ArrayXd plane = (rows_of(inputs) * centred).array() - 0.5 * centred.sum() + 1;
+  return (1 + r + r.square() / 3) * (-r).exp() + p.plane * plane;
+}
+
+/// The matrix over v, a column at a time, its kernels together.
+inline Eigen::MatrixXd matrix_of(const Process& p, const Inputs& inputs) {
+  const auto x = rows_of(inputs);
+  const Eigen::Index n = x.rows(), d = x.cols();
+  const Eigen::MatrixXd centred = (x.array() - 0.5).matrix(),
+                        scaled = x * (std::sqrt(5.0) * vector_of(p.w)).asDiagonal();
+  Eigen::MatrixXd R = Eigen::MatrixXd::Constant(n, n, p.plane);
+  R.selfadjointView<Eigen::Lower>().rankUpdate(centred, p.plane);
+  Eigen::ArrayXd r(n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const Eigen::Index rest = n - j;
+    auto here = r.tail(rest);
+    here.setZero();
+    for (Eigen::Index k = 0; k < d; ++k) here += (scaled.col(k).tail(rest).array() - scaled(j, k)).square();
+    here = here.sqrt();
+    R.col(j).tail(rest).array() += (1 + here + here.square() / 3) * (-here).exp();
+    R(j, j) += p.nugget;
+  }
+  R.triangularView<Eigen::StrictlyUpper>() = R.transpose();
   return R;
 }
 

@@ -12,11 +12,10 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 constexpr std::size_t most_for_variance = 160;
 
-/// Distances and numbers of the inputs, those that are asked first: nearest, and of equals the first.
-std::vector<std::pair<double, std::size_t>> nearest_first(const Process& p, const Inputs& inputs,
-                                                          std::span<const double> at, std::size_t& asked) {
+/// Numbers of the inputs at these distances, those that are asked first: nearest, and of equals the first.
+std::vector<std::pair<double, std::size_t>> nearest_first(const Eigen::ArrayXd& r, std::size_t& asked) {
   std::vector<std::pair<double, std::size_t>> order;
-  for (std::size_t i = 0; i < inputs.size(); ++i) order.emplace_back(distance(p.w, inputs.row(i), at), i);
+  for (Eigen::Index i = 0; i < r.size(); ++i) order.emplace_back(r(i), static_cast<std::size_t>(i));
   asked = std::min(order.size(), most_for_variance);
   std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(asked), order.end());
   return order;
@@ -35,11 +34,9 @@ namespace {
 /// that is q_T^T (R^-1)_TT^-1 q_T, the closed form of leaving out.
 double explained_by_known(const Process& p, const Inputs& inputs, std::span<const double> at) {
   std::size_t asked = 0;
-  const auto order = nearest_first(p, inputs, at, asked);
-  VectorXd k(static_cast<Eigen::Index>(inputs.size()));
-  for (const auto& [r, i] : order)
-    k(static_cast<Eigen::Index>(i)) = correlation(r) + p.plane * plane_product(inputs.row(i), at);
-  const VectorXd z = p.known->L_inverse.triangularView<Eigen::Lower>() * k;
+  const Eigen::ArrayXd r = distances(p, inputs, at);
+  const auto order = nearest_first(r, asked);
+  const VectorXd z = p.known->L_inverse.triangularView<Eigen::Lower>() * kernels(p, inputs, at, r).matrix();
   const auto left = static_cast<Eigen::Index>(order.size() - asked);
   if (left == 0) return z.squaredNorm();
   MatrixXd P(left, left);
@@ -65,9 +62,7 @@ void remember(Process& p, const Inputs& inputs) {
 }
 
 double Process::mean(const Inputs& inputs, std::span<const double> at) const {
-  double sum = 0;
-  for (std::size_t i = 0; i < inputs.size(); ++i) sum += weights[i] * covariance(*this, inputs.row(i), at);
-  return sum;
+  return variance * vector_of(weights).dot(kernels(*this, inputs, at, distances(*this, inputs, at)).matrix());
 }
 
 LeftOut left_out(const Process& p, const Inputs& inputs, std::span<const double> values) {
@@ -98,14 +93,15 @@ double variance_at(const Process& p, const Inputs& inputs, std::span<const doubl
   };
   if (p.known) return variance(explained_by_known(p, inputs, at));
   std::size_t asked = 0;
-  auto order = nearest_first(p, inputs, at, asked);
+  const Eigen::ArrayXd r = distances(p, inputs, at), all = kernels(p, inputs, at, r);
+  auto order = nearest_first(r, asked);
   order.resize(asked);
   std::sort(order.begin(), order.end());
   Inputs near{inputs.dimensions, {}};
   VectorXd k(static_cast<Eigen::Index>(order.size()));
-  for (const auto& [r, i] : order) {
+  for (const auto& [distance, i] : order) {
     const auto row = inputs.row(i);
-    k(static_cast<Eigen::Index>(near.size())) = correlation(r) + p.plane * plane_product(row, at);
+    k(static_cast<Eigen::Index>(near.size())) = all(static_cast<Eigen::Index>(i));
     near.values.insert(near.values.end(), row.begin(), row.end());
   }
   return variance(matrix_of(p, near).llt().matrixL().solve(k).squaredNorm());
