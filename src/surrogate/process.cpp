@@ -21,11 +21,20 @@ std::vector<std::pair<double, std::size_t>> nearest_first(const Eigen::ArrayXd& 
   return order;
 }
 
+Inputs rows_at(const Inputs& inputs, const std::vector<Eigen::Index>& which) {
+  Inputs some{inputs.dimensions, {}};
+  for (const auto i : which) {
+    const auto row = inputs.row(static_cast<std::size_t>(i));
+    some.values.insert(some.values.end(), row.begin(), row.end());
+  }
+  return some;
+}
+
 } // namespace
 
-/// R = L L^T of all inputs.
+/// R = L L^T of all inputs; of so many that the nearest are the smaller part, R alone.
 struct Known {
-  MatrixXd L_inverse, inverse;
+  MatrixXd L_inverse, inverse, R;
 };
 
 namespace {
@@ -56,8 +65,12 @@ double explained_by_known(const Process& p, const Inputs& inputs, std::span<cons
 void remember(Process& p, const Inputs& inputs) {
   const auto n = static_cast<Eigen::Index>(inputs.size());
   auto known = std::make_shared<Known>();
-  known->L_inverse = matrix_of(p, inputs).llt().matrixL().solve(MatrixXd::Identity(n, n));
-  known->inverse = known->L_inverse.transpose() * known->L_inverse;
+  known->R = matrix_of(p, inputs);
+  if (inputs.size() <= 2 * most_for_variance) {
+    known->L_inverse = known->R.llt().matrixL().solve(MatrixXd::Identity(n, n));
+    known->inverse = known->L_inverse.transpose() * known->L_inverse;
+    known->R.resize(0, 0);
+  }
   p.known = std::move(known);
 }
 
@@ -91,20 +104,15 @@ double variance_at(const Process& p, const Inputs& inputs, std::span<const doubl
   const auto variance = [&](double explained) {
     return p.variance * std::max(0.0, 1 + p.plane * plane_product(at, at) - explained);
   };
-  if (p.known) return variance(explained_by_known(p, inputs, at));
+  if (p.known && p.known->R.size() == 0) return variance(explained_by_known(p, inputs, at));
   std::size_t asked = 0;
   const Eigen::ArrayXd r = distances(p, inputs, at), all = kernels(p, inputs, at, r);
-  auto order = nearest_first(r, asked);
-  order.resize(asked);
-  std::sort(order.begin(), order.end());
-  Inputs near{inputs.dimensions, {}};
-  VectorXd k(static_cast<Eigen::Index>(order.size()));
-  for (const auto& [distance, i] : order) {
-    const auto row = inputs.row(i);
-    k(static_cast<Eigen::Index>(near.size())) = all(static_cast<Eigen::Index>(i));
-    near.values.insert(near.values.end(), row.begin(), row.end());
-  }
-  return variance(matrix_of(p, near).llt().matrixL().solve(k).squaredNorm());
+  std::vector<Eigen::Index> near;
+  for (const auto& [distance, i] : nearest_first(r, asked)) near.push_back(static_cast<Eigen::Index>(i));
+  near.resize(asked);
+  std::sort(near.begin(), near.end());
+  const MatrixXd R = p.known ? MatrixXd(p.known->R(near, near)) : matrix_of(p, rows_at(inputs, near));
+  return variance(R.llt().matrixL().solve(VectorXd(all(near))).squaredNorm());
 }
 
 } // namespace platen::surrogate
