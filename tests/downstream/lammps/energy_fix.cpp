@@ -1,4 +1,5 @@
-// fix ID GROUP platen/energy: energies of a run of pair_style platen on one rank, for energy.py. GROUP moves as prescribed.
+// fix ID GROUP platen/energy: energies of a run of pair_style platen on one rank, for energy.py. GROUP moves
+// as prescribed.
 //   f_ID[1]  work that GROUP put in [J]
 //   f_ID[2]  work of the law on all contacts so far: F over gamma, as the contacts themselves state both
 //   f_ID[3]  work of friction: tangential force over the sliding of the surfaces
@@ -91,7 +92,8 @@ class FixEnergy : public Fix {
     for (int k = 0; k < 3; k++) n[k] = xi[k] - xj[k], rsq += n[k] * n[k];
     const double reach = atom->radius[i] + atom->radius[j];
     if (rsq >= reach * reach) return;
-    const std::uint64_t a = static_cast<std::uint64_t>(atom->tag[i]), b = static_cast<std::uint64_t>(atom->tag[j]);
+    const std::uint64_t a = static_cast<std::uint64_t>(atom->tag[i]),
+                        b = static_cast<std::uint64_t>(atom->tag[j]);
     const std::uint64_t name = a < b ? a << 32 | b : b << 32 | a;
     if (const auto found = contacts_.find(name); found != contacts_.end() && found->second.step == step_)
       return; // seen across the periodic face already
@@ -108,7 +110,8 @@ class FixEnergy : public Fix {
     double wr[3];
     for (int k = 0; k < 3; k++)
       wr[k] = flat * (atom->radius[i] * atom->omega[i][k] + atom->radius[j] * atom->omega[j][k]);
-    const double turn[3] = {n[2] * wr[1] - n[1] * wr[2], n[0] * wr[2] - n[2] * wr[0], n[1] * wr[0] - n[0] * wr[1]};
+    const double turn[3] = {n[2] * wr[1] - n[1] * wr[2], n[0] * wr[2] - n[2] * wr[0],
+                            n[1] * wr[0] - n[0] * wr[1]};
     for (int k = 0; k < 3; k++) power -= s[5 + k] * (w[k] - along * n[k] - turn[k]);
     auto [at, fresh] = contacts_.try_emplace(name, Contact{0, 0, 0, step_});
     Contact& c = at->second;
@@ -128,5 +131,7 @@ class FixEnergy : public Fix {
 
 extern "C" void platen_register(void* handle) {
   auto* lmp = static_cast<LAMMPS*>(handle);
-  (*lmp->modify->fix_map)["platen/energy"] = [](LAMMPS* l, int n, char** a) -> Fix* { return new FixEnergy(l, n, a); };
+  (*lmp->modify->fix_map)["platen/energy"] = [](LAMMPS* l, int n, char** a) -> Fix* {
+    return new FixEnergy(l, n, a);
+  };
 }
