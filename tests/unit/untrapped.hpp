@@ -1,6 +1,6 @@
 #pragma once
-// In the debug preset an invalid operation, a division by zero or an overflow ends the program. A test that means them says so
-// with one of these, named after what it means.
+// In the debug preset an invalid operation, a division by zero or an overflow ends the program. A test that
+// means them says so with one of these, named after what it means.
 
 #include <cfenv>
 
