@@ -1,8 +1,9 @@
 #!/bin/bash
-# Makes the explorer: a folder of static files. web/build.sh OUT_DIR
+# Makes the explorer: a folder of static files. web/build.sh OUT_DIR [MORE...], more being files that the Makefile knows
 set -eu -o pipefail
-[ $# = 1 ] || { echo "usage: web/build.sh OUT_DIR" >&2; exit 2; }
+[ $# -gt 0 ] || { echo "usage: web/build.sh OUT_DIR [MORE...]" >&2; exit 2; }
 mkdir -p "$1" && out=$(realpath "$1")
+shift
 cd "$(dirname "$0")/.."
 for tool in python3 node make wasm-opt; do
   command -v $tool >/dev/null || { echo "web/build.sh: $tool is missing; Debian has it in: python3-venv nodejs make binaryen" >&2; exit 5; }
@@ -17,7 +18,8 @@ if [ -z "${ZIG:-}" ]; then
   ZIG=$($venv/bin/python -c 'import os, ziglang; print(os.path.join(os.path.dirname(ziglang.__file__), "zig"))')
 fi
 version=$(sed -n 's/^project(platen VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
-make --no-print-directory -s -j "${PLATEN_JOBS:-$(nproc)}" -f web/Makefile BUILD="$build" ZIG="$ZIG" VERSION="$version"
+make --no-print-directory -s -j "${PLATEN_JOBS:-$(nproc)}" -f web/Makefile BUILD="$build" ZIG="$ZIG" VERSION="$version" \
+  "$build/explorer.wasm" "${@/#/$build/}"
 rm -rf "${out:?}"/*
 cp web/page/* "$build/explorer.wasm" "$out"
 node web/catalogue.mjs catalogue "$out/catalogue.gz"

@@ -165,7 +165,7 @@ void FixWallPlaten::contacts() {
       slip[0] -= v_n * n[0] + distance * (n[2] * w[1] - n[1] * w[2]);
       slip[1] -= v_n * n[1] + distance * (n[0] * w[2] - n[2] * w[0]);
       slip[2] -= v_n * n[2] + distance * (n[1] * w[0] - n[0] * w[1]);
-      dem::slide(laws_->shear, contact_.friction, now.contact_radius, F, n, slip, dt, m);
+      if (dt > 0) dem::slide(laws_->shear, contact_.friction, now.contact_radius, F, n, slip, dt, m);
       const double* s = m.tangential;
       for (int k = 0; k < 3; k++) f[k] += s[k];
       atom->torque[i][0] -= distance * (n[1] * s[2] - n[2] * s[1]);

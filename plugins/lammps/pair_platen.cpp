@@ -313,7 +313,8 @@ template <bool friction, bool damping> PLATEN_HOT void PairPlaten::forces(const 
   const double *radius = atom->radius, *rmass = atom->rmass;
   const int *mask = atom->mask, nlocal = atom->nlocal;
   const dem::Units u = units_;
-  const double dt = update->setupflag ? 0.0 : update->dt; // setup moves nothing
+  const double dt =
+      update->setupflag ? 0.0 : update->dt; // setup moves nothing, and a restart gives the same bits
   for (int c = 0; c < block.count; c++) {
     const int i = block.i[c], j = block.j[c];
     const dem::Laws& laws = *block.laws[c];
@@ -340,7 +341,7 @@ template <bool friction, bool damping> PLATEN_HOT void PairPlaten::forces(const 
       w[0] -= v_n * n[0] + n[2] * wr[1] - n[1] * wr[2];
       w[1] -= v_n * n[1] + n[0] * wr[2] - n[2] * wr[0];
       w[2] -= v_n * n[2] + n[1] * wr[0] - n[0] * wr[1];
-      dem::slide(laws.shear, laws.contact.friction, block.a[c], F, n, w, dt, *block.memory[c]);
+      if (dt > 0) dem::slide(laws.shear, laws.contact.friction, block.a[c], F, n, w, dt, *block.memory[c]);
       const double* s = block.memory[c]->tangential;
       const double turn[3] = {n[1] * s[2] - n[2] * s[1], n[2] * s[0] - n[0] * s[2],
                               n[0] * s[1] - n[1] * s[0]};

@@ -61,13 +61,19 @@ constexpr bool measures =
 
 constexpr const char* unlisted = ""; // a group that help leaves out
 
+/// CLI11's get_option_no_throw allocates, and ends the program where there is no memory.
+bool is_known(const CLI::App& app, const std::string& name) {
+  const auto all = app.get_options();
+  return std::any_of(all.begin(), all.end(), [&](const auto* option) { return option->check_name(name); });
+}
+
 /// --radius "0.5 mm" beside --radius_m 0.5e-3.
 template <class T> void add_with_unit(CLI::App& app, CLI::Option& option, T& value) {
   for (const std::string& key : option.get_lnames()) {
     const std::vector<std::string> known{key};
     for (auto end = key.find('_'); end != key.npos; end = key.find('_', end + 1)) {
       const std::string bare = key.substr(0, end), name = "--" + bare;
-      if (core::si_key(bare, known).empty() || app.get_option_no_throw(name)) continue;
+      if (core::si_key(bare, known).empty() || is_known(app, name)) continue;
       const auto take = [&value, &option, name, key](const std::string& text) {
         if (option.count() > 0)
           throw core::InvalidInput(fmt::format("{} and --{} are the same; give one of the two", name, key));

@@ -1,5 +1,6 @@
 #include "fe/dissection.hpp"
 
+#include "fe/plain.hpp"
 #include "fe/vector_clones.hpp"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ struct Front {
   std::vector<int> place;  ///< in `unknowns`: of the unknowns of the elements, or of the halves' boundaries
   std::size_t factors = 0; ///< where they begin
   std::vector<int> pivots; ///< as LAPACK counts them, from 1
-  std::vector<float> boundary; ///< what is left of the matrix there
+  std::vector<Factor> boundary; ///< what is left of the matrix there
 
   int size() const { return static_cast<int>(unknowns.size()); }
   int boundary_size() const { return size() - interior; }
@@ -61,9 +62,9 @@ struct Front {
 
 /// LU of the first `interior` columns of a square matrix, and what it leaves of the rest.
 PLATEN_VECTOR_CLONES
-bool eliminate(float* a, int size, int interior, int* pivots) {
+bool eliminate(Factor* a, int size, int interior, int* pivots) {
   for (int k = 0; k < interior; ++k) {
-    float* column = a + k * size;
+    Factor* column = a + k * size;
     int p = k;
     for (int i = k + 1; i < interior; ++i)
       if (std::abs(column[i]) > std::abs(column[p])) p = i;
@@ -71,11 +72,11 @@ bool eliminate(float* a, int size, int interior, int* pivots) {
     pivots[k] = p + 1;
     if (p != k)
       for (int j = 0; j < size; ++j) std::swap(a[j * size + k], a[j * size + p]);
-    const float per_pivot = 1 / column[k];
+    const Factor per_pivot = 1 / column[k];
     for (int i = k + 1; i < size; ++i) column[i] *= per_pivot;
     for (int j = k + 1; j < size; ++j) {
-      float* other = a + j * size;
-      const float share = other[k];
+      Factor* other = a + j * size;
+      const Factor share = other[k];
       for (int i = k + 1; i < size; ++i) other[i] -= share * column[i];
     }
   }
@@ -83,10 +84,10 @@ bool eliminate(float* a, int size, int interior, int* pivots) {
 }
 
 PLATEN_VECTOR_CLONES
-void forward(const std::vector<Front>& fronts, const std::vector<float>& factors, float* x, float* y) {
+void forward(const std::vector<Front>& fronts, const std::vector<Factor>& factors, Factor* x, Factor* y) {
   for (const Front& front : fronts) {
     const int size = front.size(), interior = front.interior;
-    const float* L = factors.data() + front.factors;
+    const Factor* L = factors.data() + front.factors;
     for (int i = 0; i < interior; ++i) y[i] = x[front.unknowns[i]];
     for (int i = 0; i < interior; ++i) std::swap(y[i], y[front.pivots[i] - 1]);
     for (int i = interior; i < size; ++i) y[i] = 0;
@@ -98,17 +99,18 @@ void forward(const std::vector<Front>& fronts, const std::vector<float>& factors
 }
 
 PLATEN_VECTOR_CLONES
-void backward(const std::vector<Front>& fronts, const std::vector<float>& factors, float* x, float* y) {
+void backward(const std::vector<Front>& fronts, const std::vector<Factor>& factors, Factor* x, Factor* y) {
   for (auto front = fronts.rbegin(); front != fronts.rend(); ++front) {
     const int size = front->size(), interior = front->interior;
-    const float *U = factors.data() + front->factors, *beside = U + static_cast<std::size_t>(interior) * size;
+    const Factor *U = factors.data() + front->factors,
+                 *beside = U + static_cast<std::size_t>(interior) * size;
     for (int i = 0; i < interior; ++i) y[i] = x[front->unknowns[i]];
     for (int j = interior; j < size; ++j, beside += interior) {
-      const float known = x[front->unknowns[j]];
+      const Factor known = x[front->unknowns[j]];
       for (int i = 0; i < interior; ++i) y[i] -= known * beside[i];
     }
     for (int j = interior - 1; j >= 0; --j) {
-      const float* column = U + static_cast<std::size_t>(j) * size;
+      const Factor* column = U + static_cast<std::size_t>(j) * size;
       y[j] /= column[j];
       for (int i = 0; i < j; ++i) y[i] -= y[j] * column[i];
     }
@@ -116,7 +118,7 @@ void backward(const std::vector<Front>& fronts, const std::vector<float>& factor
   }
 }
 
-bool eliminate_by_blocks(float* a, int size, int interior, int* pivots) {
+[[maybe_unused]] bool eliminate_by_blocks(float* a, int size, int interior, int* pivots) {
   const int boundary = size - interior, one = 1;
   const float plus = 1, minus = -1;
   int info = 0;
@@ -132,15 +134,21 @@ bool eliminate_by_blocks(float* a, int size, int interior, int* pivots) {
   return true;
 }
 
+#ifdef PLATEN_PLAIN // without LAPACK
+bool eliminate_by_blocks(double* a, int size, int interior, int* pivots) {
+  return eliminate(a, size, interior, pivots);
+}
+#endif
+
 } // namespace
 
 struct Dissection::Tree {
   std::vector<std::vector<int>> elements; ///< unknowns
   std::vector<std::size_t> matrix;        ///< where each element's begins
   std::vector<Front> fronts;              ///< halves before what they are halves of
-  std::vector<float> factors;             ///< of a front: columns of L and U, then the rows of U beside them
-  std::vector<float> work;
-  mutable std::vector<float> x, y;
+  std::vector<Factor> factors;            ///< of a front: columns of L and U, then the rows of U beside them
+  std::vector<Factor> work;
+  mutable std::vector<Factor> x, y;
 
   std::vector<int> uses; ///< of each unknown: parts that have it and are not yet joined
 
@@ -220,12 +228,12 @@ struct Dissection::Tree {
 
   void assemble(const Front& front, std::span<const double> matrices) {
     const std::size_t size = front.unknowns.size();
-    work.assign(size * size, 0.0F);
+    work.assign(size * size, Factor(0));
     const int* place = front.place.data();
     const auto scatter = [&](const auto* from, int n) {
       for (int j = 0; j < n; ++j, from += n) {
-        float* column = work.data() + size * place[j];
-        for (int i = 0; i < n; ++i) column[place[i]] += static_cast<float>(from[i]);
+        Factor* column = work.data() + size * place[j];
+        for (int i = 0; i < n; ++i) column[place[i]] += static_cast<Factor>(from[i]);
       }
       place += n;
     };
@@ -266,14 +274,16 @@ bool Dissection::factorise(std::span<const double> element_matrices) {
   for (Front& front : t.fronts) {
     t.assemble(front, element_matrices);
     const int size = front.size(), interior = front.interior, boundary = front.boundary_size();
-    float* a = t.work.data();
+    Factor* a = t.work.data();
     const bool small = interior <= small_interior && size <= small_front;
-    if (!(small ? eliminate : eliminate_by_blocks)(a, size, interior, front.pivots.data())) return false;
-    float* factors = t.factors.data() + front.factors;
+    int* const pivots = front.pivots.data();
+    if (!(small ? eliminate(a, size, interior, pivots) : eliminate_by_blocks(a, size, interior, pivots)))
+      return false;
+    Factor* factors = t.factors.data() + front.factors;
     factors = std::copy(a, a + static_cast<std::size_t>(interior) * size, factors);
     front.boundary.resize(static_cast<std::size_t>(boundary) * boundary);
     for (int j = 0; j < boundary; ++j) {
-      const float* column = a + static_cast<std::size_t>(interior + j) * size;
+      const Factor* column = a + static_cast<std::size_t>(interior + j) * size;
       factors = std::copy(column, column + interior, factors);
       std::copy(column + interior, column + size,
                 front.boundary.data() + static_cast<std::size_t>(j) * boundary);
@@ -290,7 +300,7 @@ void Dissection::solve(std::span<double> rhs) const {
   double largest = 0;
   for (const double value : rhs) largest = std::max(largest, std::abs(value));
   if (!(largest > 0)) return;
-  for (std::size_t i = 0; i < rhs.size(); ++i) x[i] = static_cast<float>(rhs[i] / largest);
+  for (std::size_t i = 0; i < rhs.size(); ++i) x[i] = static_cast<Factor>(rhs[i] / largest);
   forward(t.fronts, t.factors, x.data(), y.data());
   backward(t.fronts, t.factors, x.data(), y.data());
   for (std::size_t i = 0; i < rhs.size(); ++i) rhs[i] = largest * x[i];

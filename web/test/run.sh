@@ -7,6 +7,7 @@ export PLATEN
 cd "$(dirname "$0")"
 export PLATEN_CATALOGUE=${PLATEN_CATALOGUE:-$(realpath ../../catalogue)}
 export PLATEN_PAGE=${PLATEN_PAGE:-$(realpath ../..)/build/web/page}
-../build.sh "$PLATEN_PAGE"
+../build.sh "$PLATEN_PAGE" laws.wasm
+export PLATEN_LAWS=$(realpath ../..)/build/web/laws.wasm
 [ -d node_modules/playwright-core ] || npm ci --silent --no-audit --no-fund
-node --test --test-reporter=spec explorer.test.mjs
+node --test --test-reporter=spec explorer.test.mjs laws.test.mjs

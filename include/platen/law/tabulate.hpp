@@ -300,14 +300,16 @@ template <class L> class Tabulator {
     c.F = {s.F, 2 * c.left * s.slope, s.slope, 0};
     c.a = {s.a, 0, 0, 0};
     c.alpha = s.alpha;
-    c.w = {x / s.rate_x, 0, 0, 0};
-    // D = W - F w/(1 + alpha), without its fourth power of t, far outside any validity
-    const double lost = work - s.F * c.w.c0 / (1 + s.alpha);
-    if (!elastic(x)) {
+    if (elastic(x)) { // rate_x may be none
+      c.w = {x, 2 * c.left, 1, 0};
+      c.alpha = s.slope * x / s.F;
+    } else {
+      c.w = {x / s.rate_x, 0, 0, 0};
+      // D = W - F w/(1 + alpha), without its fourth power of t, far outside any validity
+      const double lost = work - s.F * c.w.c0 / (1 + s.alpha);
       const double d1 = s.F - s.slope * c.w.c0 / (1 + s.alpha);
       c.lost = {lost, 2 * c.left * d1, d1 + 2 * c.left * c.left * s.slope, 2 * c.left * s.slope};
     }
-    if (elastic(x)) c.w = {x, 2 * c.left, 1, 0}, c.alpha = s.slope * x / s.F;
     table->cell_list.push_back(c);
   }
 

@@ -42,7 +42,7 @@ def card(law, name=None, parameters=None, extra=""):
     return path
 
 
-def lammps(name, text, ranks=1, check=True, files=None):
+def lammps(name, text, ranks=1, check=True, files=None, timeout=250):
     """Runs an input in its own folder; the folder and what LAMMPS printed."""
     folder = OUT / name
     folder.mkdir(exist_ok=True)
@@ -55,7 +55,7 @@ def lammps(name, text, ranks=1, check=True, files=None):
     if ranks > 1:
         command = [os.environ.get("PLATEN_MPIRUN", "mpirun"), "-n", str(ranks), *command]
     done = subprocess.run(command, cwd=folder, env=environment, text=True, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, timeout=250)
+                          stderr=subprocess.STDOUT, timeout=timeout)
     if check and done.returncode != 0:
         sys.exit(f"{name}: LAMMPS ended with {done.returncode}\n{done.stdout[-3000:]}")
     return folder, done.stdout

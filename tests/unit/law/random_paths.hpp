@@ -81,7 +81,7 @@ template <class Property> void for_random_cases(int cases, Property property) {
   }
 }
 
-#ifdef __SANITIZE_ADDRESS__
+#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
 inline constexpr int paths_per_law =
     10'000; // enough for memory and undefined behaviour, at a tenth of the time
 #else

@@ -12,7 +12,7 @@ namespace {
 using namespace platen::law;
 using namespace platen::law::testing;
 
-#ifdef __SANITIZE_ADDRESS__
+#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
 constexpr int share = 10; // enough for memory and undefined behaviour
 #else
 constexpr int share = 1;

@@ -61,7 +61,9 @@ std::array<double, 3> eigen(Matrix a, Matrix& v) {
     for (int k = 0; k < 3; ++k) {
       const int i = (k + 1) % 3, j = (k + 2) % 3;
       if (a[i][j] == 0) continue;
-      const Matrix q = turn(k, 0.5 * std::atan(2 * a[i][j] / (a[i][i] - a[j][j])));
+      const double apart = a[i][i] - a[j][j];
+      const Matrix q =
+          turn(k, 0.5 * std::atan2(std::copysign(2 * a[i][j], a[i][j] * apart), std::abs(apart)));
       a = times(transposed(q), times(a, q));
       v = times(v, q);
     }
