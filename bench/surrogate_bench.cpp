@@ -3,8 +3,13 @@
 
 #include "material/card.hpp"
 #include "surrogate/assess.hpp"
+#include "surrogate/natural_neighbours.hpp"
 
 #include <benchmark/benchmark.h>
+
+#include <array>
+#include <random>
+#include <utility>
 
 namespace {
 
@@ -38,5 +43,21 @@ BENCHMARK_CAPTURE(predict, metal, "von-mises-100")->Unit(benchmark::kMicrosecond
 BENCHMARK_CAPTURE(predict, metal_that_hardens, "lead-ludwik")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(predict, granule, "base-case")->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(predict, powder, "mcc-ph-200")->Unit(benchmark::kMicrosecond);
+
+/// Of 162 places on a grid in four dimensions, as Table 1 of Wang et al.: the shares of a place between them.
+void natural_neighbours(benchmark::State& state) {
+  surrogate::Inputs sites{4, {}};
+  for (int i = 0; i < 162; ++i)
+    for (const auto& [step, levels] : {std::pair{54, 3}, std::pair{18, 3}, std::pair{6, 3}, std::pair{1, 6}})
+      sites.values.push_back(static_cast<double>(i / step % levels) / (levels - 1));
+  const surrogate::NaturalNeighbours n(sites);
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (auto _ : state) {
+    const std::array<double, 4> at{unit(random), unit(random), unit(random), unit(random)};
+    benchmark::DoNotOptimize(n.shares(at));
+  }
+}
+BENCHMARK(natural_neighbours)->Unit(benchmark::kMicrosecond);
 
 } // namespace

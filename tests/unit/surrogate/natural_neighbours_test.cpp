@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <ctime>
 
 namespace platen::surrogate {
 namespace {
@@ -188,12 +187,11 @@ TEST(NaturalNeighbours, SayNothingOutsideOfTheHull) {
   }
 }
 
-TEST(NaturalNeighbours, AnswerAThousandTimesInASecond) {
+// How long that takes: bench/surrogate_bench.cpp.
+TEST(NaturalNeighbours, AnswerWhereverTheyAreAsked) {
   const NaturalNeighbours n(grid(4));
   const Inputs places = scattered(4, 1000);
-  const std::clock_t start = std::clock();
   for (std::size_t i = 0; i < places.size(); ++i) EXPECT_FALSE(n.shares(places.row(i)).empty());
-  EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 1);
 }
 
 TEST(NaturalNeighbours, RefuseSitesThatFillNothing) {
