@@ -1,5 +1,5 @@
 // In programs of the debug preset an invalid operation, a division by zero or an overflow is a signal where
-// it happens. Tests that mean them say so (tests/unit/untrapped.hpp).
+// it happens.
 #include <cfenv>
 
 namespace {

@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/number.hpp"
+#include "core/parallel.hpp"
 #include "core/say.hpp"
 #include "plot/gnuplot.hpp"
 #include "plot/measured/confined_prediction.hpp"
@@ -19,7 +20,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <thread>
 
 namespace platen::app {
 namespace {
@@ -31,8 +31,8 @@ struct Options {
   std::optional<double> E_Pa, nu;
   std::optional<Option> profiles_option;
   std::string profiles; ///< their picture
-  std::string store = "out/calibration";
-  int workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  std::string store;    ///< of the presses
+  int workers = core::processors();
   bool press = false, json = false;
 
   bool all_profiles() const { return profiles_option && profiles_option->given(); }
@@ -53,6 +53,7 @@ void settle_what(Options& o) {
       throw core::InvalidInput(fmt::format("{} is for --material", option));
   if (o.ask.empty() != o.tell.empty()) refuse_missing(o.ask.empty() ? "--ask" : "--tell");
   if (o.press && !o.of_material()) throw core::InvalidInput("--press is for --material");
+  if (!o.store.empty() && !o.press) throw core::InvalidInput("--store is for --press");
   if (o.of_material() && !o.variant.empty()) throw core::InvalidInput("--variant is for --law");
 }
 
@@ -143,7 +144,7 @@ void write_confined(const calibrate::Calibration& c, const std::string& file) {
 
 calibrate::Calibration by_presses(const std::vector<measure::Measurement>& measurements,
                                   const calibrate::Settings& settings, const Options& o) {
-  study::Store store(o.store, "calibration");
+  study::Store store(o.store.empty() ? "out/calibration" : o.store, "calibration");
   store.open_for_writing(study::OldRuns::recompute);
   return calibrate::calibrate_material_by_presses(measurements, settings, {store, o.workers, core::say_line});
 }
@@ -212,9 +213,9 @@ void add_calibrate(Command program) {
                    "catalogue");
   command
       .add_option("--store", o->store,
-                  "the presses are kept here, and those that are there already are not done again")
-      .type_name("DIR")
-      .capture_default_str();
+                  "the presses are kept here, and those that are there already are not done again; default "
+                  "out/calibration")
+      .type_name("DIR");
   command.add_option("--workers", o->workers, "processes that press").range(1, 1024);
   o->profiles_option = command
                            .add_option("--profiles", o->profiles,

@@ -7,6 +7,7 @@
 #include "app/study_surrogate.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/parallel.hpp"
 #include "core/progress.hpp"
 #include "core/say.hpp"
 #include "study/submit.hpp"
@@ -18,7 +19,6 @@
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
-#include <thread>
 
 namespace platen::app {
 namespace {
@@ -26,7 +26,7 @@ namespace {
 struct Options {
   std::string card, store, output = "runs.csv", curves, variant = "published";
   std::vector<std::string> others, slurm;
-  int workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency())), tasks = 16;
+  int workers = core::processors(), tasks = 16;
   double step = 0.01;
   bool retry_failed = false, keep = false, recompute = false, dry_run = false;
 

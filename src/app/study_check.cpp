@@ -1,6 +1,7 @@
 #include "app/study_check.hpp"
 
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "core/progress.hpp"
 #include "core/version.hpp"
 #include "study/pool.hpp"
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <thread>
 
 namespace platen::app {
 namespace {
@@ -17,7 +17,7 @@ namespace {
 struct Options {
   std::string pool;
   bool cheapest = false;
-  int seed = 1, workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  int seed = 1, workers = core::processors();
   double share = 0.05, until = 0;
 };
 

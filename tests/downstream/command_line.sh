@@ -432,6 +432,7 @@ answers 2 'nothing is left' "$platen" calibrate beads.csv --law hertz --nu 0.3 -
 answers 2 '--material CARD' "$platen" calibrate beads.csv --material vmdc
 answers 2 'give one of the two' "$platen" calibrate beads.csv --material von-mises --law hertz --nu 0.3
 answers 2 '--press is for --material' "$platen" calibrate beads.csv --law hertz --nu 0.3 --press
+answers 2 '--store is for --press' "$platen" calibrate beads.csv --material von-mises --nu 0.3 --store kept
 answers 2 '--press calibrates through presses' "$platen" calibrate beads.csv --material lead-hollomon
 printf 'rho_r,axial_stress_MPa,radial_stress_MPa\n0.5,1,0.4\n0.6,2,0.8\n' >die.csv
 printf 'rho_r,compressive_strength_MPa,tensile_strength_MPa\n0.5,1,0.2\n0.7,3,0.5\n' >tablets.csv

@@ -24,10 +24,8 @@ struct Range {
   bool low_open = false;
   bool high_open = false;
 
-  /// No for NaN, without a floating-point exception.
   [[nodiscard]] bool contains(double value) const {
-    return (low_open ? std::isgreater(value, low) : std::isgreaterequal(value, low)) &&
-           (high_open ? std::isless(value, high) : std::islessequal(value, high));
+    return (low_open ? value > low : value >= low) && (high_open ? value < high : value <= high);
   }
 };
 
