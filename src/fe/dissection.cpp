@@ -1,7 +1,7 @@
 #include "fe/dissection.hpp"
 
+#include "core/vector_clones.hpp"
 #include "fe/plain.hpp"
-#include "fe/vector_clones.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -54,11 +54,54 @@ struct Front {
   std::vector<int> place;  ///< in `unknowns`: of the unknowns of the elements, or of the halves' boundaries
   std::size_t factors = 0; ///< where they begin
   std::vector<int> pivots; ///< as LAPACK counts them, from 1
-  std::vector<Factor> boundary; ///< what is left of the matrix there
+  std::vector<int> rows, columns; ///< unknowns of L's and of U's blocks, `nobody` where these are filled up
+  std::vector<Factor> boundary;   ///< what is left of the matrix there
 
   int size() const { return static_cast<int>(unknowns.size()); }
   int boundary_size() const { return size() - interior; }
 };
+
+/// Numbers side by side in a register. Columns of factors are filled up to whole ones with zeros: the many
+/// short loops of a solution have no rests then.
+constexpr int width = 8;
+using Block = Factor __attribute__((vector_size(width * sizeof(Factor)), aligned(sizeof(Factor))));
+constexpr int whole(int n) { return (n + width - 1) / width * width; }
+
+/// The factors of a front, by columns, where they lie one behind the other: of its interior L without its
+/// diagonal of ones, U without its own, whose inverse is `per_pivot`; L below it, U beside it.
+template <class Number> struct FactorsOf {
+  int inner, outer; ///< lengths of the columns
+  Number *lower, *upper, *per_pivot, *below, *beside;
+
+  FactorsOf(const Front& front, Number* begin)
+      : inner(whole(front.interior)), outer(whole(front.boundary_size())), lower(begin),
+        upper(lower + front.interior * inner), per_pivot(upper + front.interior * inner),
+        below(per_pivot + inner), beside(below + front.interior * outer) {}
+  static std::size_t entries(const Front& front) {
+    const std::size_t inner = whole(front.interior), outer = whole(front.boundary_size());
+    return front.interior * (2 * inner + outer) + inner + front.boundary_size() * inner;
+  }
+};
+
+/// Eight at once: written one by one they could not be read as a block for a while.
+inline Block gathered(const Factor* x, const int* u) {
+  static_assert(width == 8);
+  return Block{x[u[0]], x[u[1]], x[u[2]], x[u[3]], x[u[4]], x[u[5]], x[u[6]], x[u[7]]};
+}
+
+inline Block& block(Factor* at) { return *reinterpret_cast<Block*>(at); }
+inline const Block& block(const Factor* at) { return *reinterpret_cast<const Block*>(at); }
+
+/// y -= A x, the columns of A of whole blocks.
+inline void subtract_product(const Factor* A, int rows, int columns, const Factor* x, Factor* y) {
+  int j = 0;
+  for (; j + 4 <= columns; j += 4, A += 4 * rows)
+    for (int i = 0; i < rows; i += width)
+      block(y + i) -= (x[j] * block(A + i) + x[j + 1] * block(A + rows + i)) +
+                      (x[j + 2] * block(A + 2 * rows + i) + x[j + 3] * block(A + 3 * rows + i));
+  for (; j < columns; ++j, A += rows)
+    for (int i = 0; i < rows; i += width) block(y + i) -= x[j] * block(A + i);
+}
 
 /// LU of the first `interior` columns of a square matrix, and what it leaves of the rest.
 PLATEN_VECTOR_CLONES
@@ -83,38 +126,36 @@ bool eliminate(Factor* a, int size, int interior, int* pivots) {
   return true;
 }
 
-PLATEN_VECTOR_CLONES
-void forward(const std::vector<Front>& fronts, const std::vector<Factor>& factors, Factor* x, Factor* y) {
+PLATEN_VECTOR_CLONES [[gnu::flatten]] void forward(const std::vector<Front>& fronts, const Factor* factors,
+                                                   Factor* x, Factor* y) {
   for (const Front& front : fronts) {
-    const int size = front.size(), interior = front.interior;
-    const Factor* L = factors.data() + front.factors;
-    for (int i = 0; i < interior; ++i) y[i] = x[front.unknowns[i]];
-    for (int i = 0; i < interior; ++i) std::swap(y[i], y[front.pivots[i] - 1]);
-    for (int i = interior; i < size; ++i) y[i] = 0;
-    for (int j = 0; j < interior; ++j, L += size)
-      for (int i = j + 1; i < size; ++i) y[i] -= y[j] * L[i];
-    for (int i = 0; i < interior; ++i) x[front.unknowns[i]] = y[i];
-    for (int i = interior; i < size; ++i) x[front.unknowns[i]] += y[i];
+    const FactorsOf<const Factor> f(front, factors + front.factors);
+    const int interior = front.interior, boundary = front.boundary_size();
+    const int* const unknowns = front.unknowns.data();
+    for (int i = 0; i < f.inner; i += width) block(y + i) = gathered(x, &front.rows[i]);
+    for (int i = 0; i < f.outer; i += width) block(y + f.inner + i) = Block{};
+    for (int j = 0; j < interior; ++j)
+      for (int i = j / width * width; i < f.inner; i += width)
+        block(y + i) -= y[j] * block(f.lower + j * f.inner + i);
+    subtract_product(f.below, f.outer, interior, y, y + f.inner);
+    for (int i = 0; i < interior; ++i) x[unknowns[i]] = y[i];
+    for (int i = 0; i < boundary; ++i) x[unknowns[interior + i]] += y[f.inner + i];
   }
 }
 
-PLATEN_VECTOR_CLONES
-void backward(const std::vector<Front>& fronts, const std::vector<Factor>& factors, Factor* x, Factor* y) {
+PLATEN_VECTOR_CLONES [[gnu::flatten]] void backward(const std::vector<Front>& fronts, const Factor* factors,
+                                                    Factor* x, Factor* y) {
   for (auto front = fronts.rbegin(); front != fronts.rend(); ++front) {
-    const int size = front->size(), interior = front->interior;
-    const Factor *U = factors.data() + front->factors,
-                 *beside = U + static_cast<std::size_t>(interior) * size;
-    for (int i = 0; i < interior; ++i) y[i] = x[front->unknowns[i]];
-    for (int j = interior; j < size; ++j, beside += interior) {
-      const Factor known = x[front->unknowns[j]];
-      for (int i = 0; i < interior; ++i) y[i] -= known * beside[i];
-    }
+    const FactorsOf<const Factor> f(*front, factors + front->factors);
+    const int interior = front->interior, boundary = front->boundary_size();
+    const int* const unknowns = front->unknowns.data();
+    for (int i = 0; i < f.inner + f.outer; i += width) block(y + i) = gathered(x, &front->columns[i]);
+    subtract_product(f.beside, f.inner, boundary, y + f.inner, y);
     for (int j = interior - 1; j >= 0; --j) {
-      const Factor* column = U + static_cast<std::size_t>(j) * size;
-      y[j] /= column[j];
-      for (int i = 0; i < j; ++i) y[i] -= y[j] * column[i];
+      const Factor solved = y[j] * f.per_pivot[j];
+      for (int i = 0; i < j; i += width) block(y + i) -= solved * block(f.upper + j * f.inner + i);
+      x[unknowns[j]] = solved;
     }
-    for (int i = 0; i < interior; ++i) x[front->unknowns[i]] = y[i];
   }
 }
 
@@ -146,7 +187,7 @@ struct Dissection::Tree {
   std::vector<std::vector<int>> elements; ///< unknowns
   std::vector<std::size_t> matrix;        ///< where each element's begins
   std::vector<Front> fronts;              ///< halves before what they are halves of
-  std::vector<Factor> factors;            ///< of a front: columns of L and U, then the rows of U beside them
+  std::vector<Factor> factors;            ///< of all fronts
   std::vector<Factor> work;
   mutable std::vector<Factor> x, y;
 
@@ -172,9 +213,14 @@ struct Dissection::Tree {
     for (const int unknown : parts)
       front.place.push_back(std::lower_bound(places.begin(), places.end(), std::pair{unknown, 0})->second);
     front.pivots.resize(front.interior);
-    const std::size_t size = front.unknowns.size(), interior = front.interior;
+    const int nobody = static_cast<int>(uses.size());
+    front.columns.assign(whole(front.interior) + whole(front.boundary_size()), nobody);
+    std::copy_n(front.unknowns.begin(), front.interior, front.columns.begin());
+    std::copy(front.unknowns.begin() + front.interior, front.unknowns.end(),
+              front.columns.begin() + whole(front.interior));
+    front.rows.assign(front.columns.begin(), front.columns.begin() + whole(front.interior));
     front.factors = factors.size();
-    factors.resize(factors.size() + interior * (2 * size - interior));
+    factors.resize(factors.size() + FactorsOf<Factor>::entries(front));
     fronts.push_back(std::move(front));
     return static_cast<int>(fronts.size()) - 1;
   }
@@ -261,9 +307,10 @@ Dissection::Dissection(int unknowns, std::vector<std::vector<int>> element_unkno
   std::iota(all.begin(), all.end(), 0);
   t.build(std::move(all), middles, seen);
   t.uses = {};
-  t.x.resize(unknowns);
+  t.x.resize(unknowns + 1); // and 0 of nobody
   int largest = 0;
-  for (const Front& front : t.fronts) largest = std::max(largest, front.size());
+  for (const Front& front : t.fronts)
+    largest = std::max(largest, whole(front.interior) + whole(front.boundary_size()));
   t.y.resize(largest);
 }
 Dissection::~Dissection() = default;
@@ -279,12 +326,20 @@ bool Dissection::factorise(std::span<const double> element_matrices) {
     int* const pivots = front.pivots.data();
     if (!(small ? eliminate(a, size, interior, pivots) : eliminate_by_blocks(a, size, interior, pivots)))
       return false;
-    Factor* factors = t.factors.data() + front.factors;
-    factors = std::copy(a, a + static_cast<std::size_t>(interior) * size, factors);
+    std::copy_n(front.unknowns.begin(), interior, front.rows.begin());
+    for (int i = 0; i < interior; ++i) std::swap(front.rows[i], front.rows[pivots[i] - 1]);
+    const FactorsOf<Factor> f(front, t.factors.data() + front.factors);
+    for (int j = 0; j < interior; ++j) {
+      const Factor* column = a + static_cast<std::size_t>(j) * size;
+      std::copy(column, column + j, f.upper + j * f.inner);
+      f.per_pivot[j] = 1 / column[j];
+      std::copy(column + j + 1, column + interior, f.lower + j * f.inner + j + 1);
+      std::copy(column + interior, column + size, f.below + j * f.outer);
+    }
     front.boundary.resize(static_cast<std::size_t>(boundary) * boundary);
     for (int j = 0; j < boundary; ++j) {
       const Factor* column = a + static_cast<std::size_t>(interior + j) * size;
-      factors = std::copy(column, column + interior, factors);
+      std::copy(column, column + interior, f.beside + static_cast<std::size_t>(j) * f.inner);
       std::copy(column + interior, column + size,
                 front.boundary.data() + static_cast<std::size_t>(j) * boundary);
     }
@@ -301,8 +356,8 @@ void Dissection::solve(std::span<double> rhs) const {
   for (const double value : rhs) largest = std::max(largest, std::abs(value));
   if (!(largest > 0)) return;
   for (std::size_t i = 0; i < rhs.size(); ++i) x[i] = static_cast<Factor>(rhs[i] / largest);
-  forward(t.fronts, t.factors, x.data(), y.data());
-  backward(t.fronts, t.factors, x.data(), y.data());
+  forward(t.fronts, t.factors.data(), x.data(), y.data());
+  backward(t.fronts, t.factors.data(), x.data(), y.data());
   for (std::size_t i = 0; i < rhs.size(); ++i) rhs[i] = largest * x[i];
 }
 
@@ -311,12 +366,13 @@ void Dissection::solve(std::span<double> rhs) const {
 double Dissection::factorisation_cost() const {
   constexpr double work_of_entry = 24,
                    of_front = 2.5; // additions and multiplications in the time of an entry
-  double cost = 0;
+  double cost = 0, entries = 0;
   for (const Front& front : tree->fronts) {
     const double i = front.interior, b = front.boundary_size();
+    entries += i * (i + 2 * b);
     cost += 2 * i * (i * i / 3 + i * b + b * b) / work_of_entry + of_front * (i + b) * (i + b);
   }
-  return cost / static_cast<double>(tree->factors.size());
+  return cost / entries;
 }
 
 } // namespace platen::fe

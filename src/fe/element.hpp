@@ -20,7 +20,7 @@ using PrincipalStrains = std::array<double, 3>;
 template <class E>
 concept Element = requires(const typename E::Shape& shape, typename E::Kinematics& moved,
                            const typename E::State& state, const material::PointUpdate* updates,
-                           const double* u, double* out, int point) {
+                           const double* u, double* out, PrincipalStrains* trial, int point) {
   typename E::Mesh;   // dim, corners
   typename E::Stress; // components of a tensor
   { E::points } -> std::convertible_to<int>;
@@ -30,8 +30,8 @@ concept Element = requires(const typename E::Shape& shape, typename E::Kinematic
   { shape.volume[point] } -> std::convertible_to<double>;
   /// Deformation gradients; false where the element is inside out.
   { E::deform(shape, u, moved) } -> std::same_as<bool>;
-  /// Principal trial strains of a point from a state, whose axes are kept.
-  { E::strain(moved, point, state) } -> std::same_as<PrincipalStrains>;
+  /// Writes the principal trial strains of its points from their states; the axes are kept.
+  {E::strains(moved, &state, trial)};
   /// Writes the internal forces on the unknowns of the element.
   {E::forces(shape, moved, updates, out)};
   /// By columns; where material flows, 2 G stiffer in shear by the last number (Pa).

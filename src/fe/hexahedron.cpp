@@ -1,6 +1,6 @@
 #include "fe/hexahedron.hpp"
 
-#include "fe/vector_clones.hpp"
+#include "core/vector_clones.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -79,10 +79,12 @@ bool Hexahedron::deform(const Shape& s, const double* u, Kinematics& moved) {
   return true;
 }
 
-PrincipalStrains Hexahedron::strain(Kinematics& moved, int g, const State& n) {
-  Kinematics::Point& k = moved.point[g];
-  k.b = spectral(transformed(k.F, n.Cp_inv));
-  return {std::log(k.b.value[0]) / 2, std::log(k.b.value[1]) / 2, std::log(k.b.value[2]) / 2};
+void Hexahedron::strains(Kinematics& moved, const State* from, PrincipalStrains* trial) {
+  for (int g = 0; g < points; ++g) {
+    Kinematics::Point& k = moved.point[g];
+    k.b = spectral(transformed(k.F, from[g].Cp_inv));
+    trial[g] = {std::log(k.b.value[0]) / 2, std::log(k.b.value[1]) / 2, std::log(k.b.value[2]) / 2};
+  }
 }
 
 // dev(tau) : l + P b, with b = d(ln J_bar)/du and P the integral of tau's mean over the element.

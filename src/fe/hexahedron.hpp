@@ -36,7 +36,7 @@ struct Hexahedron {
 
   static Shape shape(const std::array<Vector3, 8>& corners);
   static bool deform(const Shape&, const double* u, Kinematics&);
-  static PrincipalStrains strain(Kinematics&, int point, const State&);
+  static void strains(Kinematics&, const State*, PrincipalStrains*);
   static void forces(const Shape&, const Kinematics&, const material::PointUpdate*, double* force);
   static void tangent(const Shape&, const Kinematics&, const material::PointUpdate*, double two_G_added,
                       double* K);

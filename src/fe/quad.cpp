@@ -1,6 +1,7 @@
 #include "fe/quad.hpp"
 
-#include "fe/vector_clones.hpp"
+#include "core/lanes.hpp"
+#include "core/vector_clones.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -44,8 +45,7 @@ Quad::Shape Quad::shape(const std::array<Vector<2>, 4>& corners) {
   return s;
 }
 
-PLATEN_VECTOR_CLONES
-bool Quad::deform(const Shape& s, const double* u, Kinematics& k) {
+PLATEN_VECTOR_CLONES [[gnu::flatten]] bool Quad::deform(const Shape& s, const double* u, Kinematics& k) {
   Points rr{1, 1, 1, 1}, rz{}, zr{}, zz{1, 1, 1, 1}, tt{1, 1, 1, 1}, det;
   for (int a = 0; a < 4; ++a) {
     const double u_r = u[2 * a], u_z = u[2 * a + 1];
@@ -64,15 +64,16 @@ bool Quad::deform(const Shape& s, const double* u, Kinematics& k) {
     v += s.volume[g] * k.J[g];
   }
   if (!right_way_round) return false;
+  Points per_det, per_tt;
+  for (int g = 0; g < points; ++g) per_det[g] = 1 / det[g], per_tt[g] = 1 / tt[g];
   for (int a = 0; a < 4; ++a)
     for (int g = 0; g < points; ++g) {
-      k.N_r[a][g] = (s.N_R[a][g] * zz[g] - s.N_Z[a][g] * zr[g]) / det[g];
-      k.N_z[a][g] = (s.N_Z[a][g] * rr[g] - s.N_R[a][g] * rz[g]) / det[g];
-      k.N_over_r[a][g] = s.N_over_R[a][g] / tt[g];
+      k.N_r[a][g] = (s.N_R[a][g] * zz[g] - s.N_Z[a][g] * zr[g]) * per_det[g];
+      k.N_z[a][g] = (s.N_Z[a][g] * rr[g] - s.N_R[a][g] * rz[g]) * per_det[g];
+      k.N_over_r[a][g] = s.N_over_R[a][g] * per_tt[g];
     }
   k.J_bar = v / s.whole_volume;
-  Points alpha;
-  for (int g = 0; g < points; ++g) alpha[g] = std::cbrt(k.J_bar / k.J[g]);
+  const Points alpha = core::apart(core::exp(core::log(k.J_bar / core::side_by_side<core::Four>(k.J)) / 3));
   for (int g = 0; g < points; ++g) {
     k.rr[g] = alpha[g] * rr[g], k.rz[g] = alpha[g] * rz[g];
     k.zr[g] = alpha[g] * zr[g], k.zz[g] = alpha[g] * zz[g];
@@ -81,15 +82,25 @@ bool Quad::deform(const Shape& s, const double* u, Kinematics& k) {
   return true;
 }
 
-PrincipalStrains Quad::strain(Kinematics& k, int g, const State& n) {
-  const double rr = k.rr[g], rz = k.rz[g], zr = k.zr[g], zz = k.zz[g], tt = k.tt[g];
-  const auto& [c_rr, c_zz, c_rz, c_tt] = n.Cp_inv;
+PLATEN_VECTOR_CLONES [[gnu::flatten]] void Quad::strains(Kinematics& k, const State* from,
+                                                         PrincipalStrains* trial) {
+  using T = core::Four;
+  const auto of = [](const Points& x) -> T { return core::side_by_side<T>(x); };
+  const T rr = of(k.rr), rz = of(k.rz), zr = of(k.zr), zz = of(k.zz), tt = of(k.tt);
+  T c_rr, c_zz, c_rz, c_tt;
+  for (int g = 0; g < points; ++g) {
+    const auto& C = from[g].Cp_inv;
+    c_rr[g] = C[0], c_zz[g] = C[1], c_rz[g] = C[2], c_tt[g] = C[3];
+  }
   // b = F C F^T in the section.
-  const double b_rr = rr * (rr * c_rr + rz * c_rz) + rz * (rr * c_rz + rz * c_zz);
-  const double b_rz = zr * (rr * c_rr + rz * c_rz) + zz * (rr * c_rz + rz * c_zz);
-  const double b_zz = zr * (zr * c_rr + zz * c_rz) + zz * (zr * c_rz + zz * c_zz);
-  k.b[g] = plane_spectral(b_rr, b_zz, b_rz);
-  return {std::log(k.b[g].value_1) / 2, std::log(k.b[g].value_2) / 2, std::log(tt * tt * c_tt) / 2};
+  const T b_rr = rr * (rr * c_rr + rz * c_rz) + rz * (rr * c_rz + rz * c_zz);
+  const T b_rz = zr * (rr * c_rr + rz * c_rz) + zz * (rr * c_rz + rz * c_zz);
+  const T b_zz = zr * (zr * c_rr + zz * c_rz) + zz * (zr * c_rz + zz * c_zz);
+  const auto b = plane_spectral(b_rr, b_zz, b_rz);
+  k.b = {core::apart(b.value_1), core::apart(b.value_2), core::apart(b.cos), core::apart(b.sin)};
+  const T first = core::log(b.value_1) / 2, second = core::log(b.value_2) / 2,
+          third = core::log(tt * tt * c_tt) / 2;
+  for (int g = 0; g < points; ++g) trial[g] = {first[g], second[g], third[g]};
 }
 
 // dev(tau) : l + P b, with b = d(ln J_bar)/du and P the integral of tau's mean over the element.
@@ -105,7 +116,7 @@ void Quad::forces(const Shape& s, const Kinematics& k, const material::PointUpda
     const auto& sigma = updates[g].sigma;
     const double w = s.volume[g] * k.J_bar;
     const double spherical = s.volume[g] * k.J[g] * P_over_v - w * (sigma[0] + sigma[1] + sigma[2]) / 3;
-    const auto t = compose(w * sigma[0] + spherical, w * sigma[1] + spherical, k.b[g]);
+    const auto t = compose(w * sigma[0] + spherical, w * sigma[1] + spherical, k.axes(g));
     rr[g] = t[0], zz[g] = t[1], rz[g] = t[2];
     tt[g] = w * sigma[2] + spherical;
   }
@@ -130,10 +141,10 @@ void Quad::tangent(const Shape& s, const Kinematics& k, const material::PointUpd
                    double two_G_added, double* K) {
   const double v = k.J_bar * s.whole_volume;
   double tr[points][8], b[8] = {}, P = 0;
-  // The matrix is a sum of products of a vector with a transposed vector: nine a Gauss point, and the mean
-  // dilatation's own.
-  constexpr int terms = 9 * points + 1;
-  double left[terms][8], right[terms][8];
+  // The matrix is a sum of products of a vector with a transposed vector: one a component of l at a Gauss
+  // point (tr l is l_11 + l_22 + l_tt), and one with b.
+  constexpr int terms = 5 * points + 1;
+  double left[terms][8], right[terms][8], with_b[8] = {};
   for (int g = 0; g < points; ++g) {
     const double dv = s.volume[g] * k.J[g] / v;
     for (int a = 0; a < 4; ++a) {
@@ -146,7 +157,7 @@ void Quad::tangent(const Shape& s, const Kinematics& k, const material::PointUpd
   }
   for (int g = 0; g < points; ++g) {
     const material::PointUpdate& point = updates[g];
-    const PlaneSpectral& axes = k.b[g];
+    const PlaneSpectral axes = k.axes(g);
     const double w = s.volume[g];
     double l11[8], l12[8], l21[8], l22[8], ltt[8];
     for (int a = 0; a < 4; ++a) {
@@ -174,24 +185,23 @@ void Quad::tangent(const Shape& s, const Kinematics& k, const material::PointUpd
     const double beta_1 = slope * axes.value_2, beta_2 = slope * axes.value_1;
     const double dv = w * k.J[g] / v * P; // weight of the second derivative of ln J_bar
     const double m = tau_m - dv;          // tr(l l) of the mean stress, less that of the second derivative
-    auto *const L = &left[9 * g], *const R = &right[9 * g];
+    auto *const L = &left[5 * g], *const R = &right[5 * g];
     for (int i = 0; i < 8; ++i) {
       const double third = (b[i] - tr[g][i]) / 3;
       const double bar[3] = {l11[i] + third, l22[i] + third, ltt[i] + third}, shear = l12[i] + l21[i];
-      for (int B = 0; B < 3; ++B) {
-        L[B][i] = bar[0] * C[0][B] + bar[1] * C[1][B] + bar[2] * C[2][B];
-        R[B][i] = bar[B];
-      }
-      L[3][i] = (m - tau[0]) * l11[i], R[3][i] = l11[i];
-      L[4][i] = (m - tau[1]) * l22[i], R[4][i] = l22[i];
-      L[5][i] = (m - tau[2]) * ltt[i], R[5][i] = ltt[i];
-      L[6][i] = shear * beta_1 + (m - tau[1]) * l21[i], R[6][i] = l12[i];
-      L[7][i] = shear * beta_2 + (m - tau[0]) * l12[i], R[7][i] = l21[i];
-      L[8][i] = dv * tr[g][i], R[8][i] = tr[g][i];
+      double C_bar[3];
+      for (int B = 0; B < 3; ++B) C_bar[B] = bar[0] * C[0][B] + bar[1] * C[1][B] + bar[2] * C[2][B];
+      const double mean = (C_bar[0] + C_bar[1] + C_bar[2]) / 3, dilating = dv * tr[g][i] - mean;
+      L[0][i] = C_bar[0] + dilating + (m - tau[0]) * l11[i], R[0][i] = l11[i];
+      L[1][i] = C_bar[1] + dilating + (m - tau[1]) * l22[i], R[1][i] = l22[i];
+      L[2][i] = C_bar[2] + dilating + (m - tau[2]) * ltt[i], R[2][i] = ltt[i];
+      L[3][i] = shear * beta_1 + (m - tau[1]) * l21[i], R[3][i] = l12[i];
+      L[4][i] = shear * beta_2 + (m - tau[0]) * l12[i], R[4][i] = l21[i];
+      with_b[i] += mean;
     }
   }
   for (int i = 0; i < 8; ++i) {
-    left[terms - 1][i] = -P * b[i];
+    left[terms - 1][i] = with_b[i] - P * b[i];
     right[terms - 1][i] = b[i];
   }
   // Four columns at once: each sum waits for its last addition, so that several must be under way.
@@ -207,7 +217,7 @@ void Quad::tangent(const Shape& s, const Kinematics& k, const material::PointUpd
 Quad::State Quad::updated(const Kinematics& k, int g, const material::PointUpdate& update) {
   const auto& eps = update.eps;
   const double b_1 = std::exp(2 * eps[0]), b_2 = std::exp(2 * eps[1]), b_t = std::exp(2 * eps[2]);
-  const auto [rr, zz, rz] = compose(b_1, b_2, k.b[g]);
+  const auto [rr, zz, rz] = compose(b_1, b_2, k.axes(g));
   // C_p^{-1} = F^{-1} b_e F^{-T}
   const double det = k.rr[g] * k.zz[g] - k.rz[g] * k.zr[g];
   const double i_rr = k.zz[g] / det, i_rz = -k.rz[g] / det, i_zr = -k.zr[g] / det, i_zz = k.rr[g] / det;
@@ -220,7 +230,7 @@ Quad::State Quad::updated(const Kinematics& k, int g, const material::PointUpdat
 }
 
 Quad::Stress Quad::cauchy(const Kinematics& k, int g, const material::PointUpdate& update) {
-  const auto [rr, zz, rz] = compose(update.sigma[0], update.sigma[1], k.b[g]);
+  const auto [rr, zz, rz] = compose(update.sigma[0], update.sigma[1], k.axes(g));
   return {rr, zz, rz, update.sigma[2]};
 }
 

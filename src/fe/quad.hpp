@@ -29,12 +29,16 @@ struct Quad {
     Points rr, rz, zr, zz, tt;                ///< F_bar
     Points J;                                 ///< det F, not averaged
     double J_bar;
-    std::array<PlaneSpectral, points> b; ///< b_e^tr in the section
+    PlaneSpectralOf<Points> b; ///< b_e^tr in the section
+
+    PlaneSpectral axes(int point) const {
+      return {b.value_1[point], b.value_2[point], b.cos[point], b.sin[point]};
+    }
   };
 
   static Shape shape(const std::array<Vector<2>, 4>& corners);
   static bool deform(const Shape&, const double* u, Kinematics&);
-  static PrincipalStrains strain(Kinematics&, int point, const State&);
+  static void strains(Kinematics&, const State*, PrincipalStrains*);
   static void forces(const Shape&, const Kinematics&, const material::PointUpdate*, double* force);
   static void tangent(const Shape&, const Kinematics&, const material::PointUpdate*, double two_G_added,
                       double* K);

@@ -48,12 +48,10 @@ Evaluation Solid<E>::evaluate(std::span<const double> u, std::span<const State> 
       for (int a = 0; a < E::Mesh::corners; ++a)
         for (int k = 0; k < dim; ++k) local[dim * a + k] = u[dim * mesh.elements[e][a] + k];
       if (!E::deform(shapes[e], local.data(), r.kinematics[e])) return Evaluation::inverted_element;
-      for (int g = 0, i = E::points * e; g < E::points; ++g, ++i) {
-        r.trial[i] = E::strain(r.kinematics[e], g, start[i]);
-        r.phi[i] = start[i].phi;
-      }
+      E::strains(r.kinematics[e], &start[E::points * e], &r.trial[E::points * e]);
     }
   }
+  for (int i = 0; i < points(); ++i) r.phi[i] = start[i].phi;
   {
     Stopwatch watch(r.times.material_s);
     const auto batch = material::update(model, r.trial, r.phi, r.updates);

@@ -1,6 +1,8 @@
 #pragma once
 // Vectors, and symmetric tensors in space and in a plane.
 
+#include "core/lanes.hpp"
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -84,25 +86,23 @@ inline Symmetric3 compose(const std::array<double, 3>& value, const std::array<V
   return s;
 }
 
-/// Eigenvalues of a symmetric tensor in a plane, the larger one first, and the direction of its axis.
-struct PlaneSpectral {
-  double value_1, value_2;
-  double cos, sin;
+/// Eigenvalues of a symmetric tensor in a plane, the larger one first, and the direction of its axis. T: a
+/// number, or several (core/lanes.hpp).
+template <class T> struct PlaneSpectralOf {
+  T value_1, value_2;
+  T cos, sin;
 };
+using PlaneSpectral = PlaneSpectralOf<double>;
 
 /// Half-angle of (half, xy), without trigonometry and without cancellation.
-inline PlaneSpectral plane_spectral(double xx, double yy, double xy) {
-  const double mean = (xx + yy) / 2, half = (xx - yy) / 2, radius = std::sqrt(half * half + xy * xy);
-  PlaneSpectral s{mean + radius, mean - radius, 1, 0};
-  if (!(radius > 0)) return s;
-  if (half >= 0) {
-    s.cos = std::sqrt((1 + half / radius) / 2);
-    s.sin = xy / (2 * radius * s.cos);
-  } else {
-    s.sin = std::copysign(std::sqrt((1 - half / radius) / 2), xy);
-    s.cos = xy / (2 * radius * s.sin);
-  }
-  return s;
+template <class T> PlaneSpectralOf<T> plane_spectral(const T& xx, const T& yy, const T& xy) {
+  using std::abs, std::sqrt, core::abs, core::sqrt, core::pick;
+  const T zero{}, mean = (xx + yy) / 2, half = (xx - yy) / 2, radius = sqrt(half * half + xy * xy);
+  const auto turned = radius > 0, upright = half >= 0;
+  const T larger = sqrt((1 + abs(half) / radius) / 2), smaller = abs(xy) / (2 * radius * larger);
+  const T cos = pick(upright, larger, smaller), sin = pick(upright, smaller, larger);
+  return {mean + radius, mean - radius, pick(turned, cos, zero + 1),
+          pick(turned, pick(xy < 0, -sin, sin), zero)};
 }
 
 /// xx, yy, xy of the symmetric tensor with the eigenvalues `first` and `second` on the axes of s.

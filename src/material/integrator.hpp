@@ -23,6 +23,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace platen::material {
 
@@ -33,35 +34,41 @@ inline constexpr double relative_return_tolerance = 1e-12;
 namespace detail {
 
 /// A trial with what every attempt needs of it.
-struct Trial : TrialInvariants {
-  double exp_v; ///< e^{-eps_v}
+template <class T> struct TrialOf : TrialInvariantsOf<T> {
+  T exp_v; ///< e^{-eps_v}
 };
+using Trial = TrialOf<double>;
+
+template <class T> using Triple = std::array<T, 3>;
 
 /// Residual and Jacobian of the return at (s, dv, dw), stresses times `unit` = 1/(3G(phi_n)).
-struct Return {
-  std::array<double, 3> r;
-  std::array<std::array<double, 3>, 3> J;
-  SurfacePoint at;
-  Moduli moduli;
-  Zone zone;
-  double s, s_min, s_max; ///< of the surface at phi
-  double phi, eps_v, eps_q;
-  double exp_v; ///< e^{-eps_v}
+template <class T> struct ReturnOf {
+  Triple<T> r;
+  std::array<Triple<T>, 3> J;
+  SurfacePointOf<T> at;
+  ModuliOf<T> moduli;
+  std::conditional_t<std::is_same_v<T, double>, Zone, T> zone; ///< of lanes its number
+  T s, s_min, s_max;                                           ///< of the surface at phi
+  T phi, eps_v, eps_q;
+  T exp_v; ///< e^{-eps_v}
 
-  double merit() const { return r[0] * r[0] + r[1] * r[1] + r[2] * r[2]; }
+  T merit() const { return r[0] * r[0] + r[1] * r[1] + r[2] * r[2]; }
 };
+using Return = ReturnOf<double>;
 
-template <InvariantModel M>
-Return evaluate_return(const M& model, const Trial& trial, double phi_n, double unit,
-                       const std::array<double, 3>& x) {
-  const auto [s, dv, dw] = x;
+template <InvariantModel M, class T>
+ReturnOf<T> evaluate_return(const M& model, const TrialOf<T>& trial, const T& phi_n, const T& unit,
+                            const Triple<T>& x) {
+  using std::exp, core::exp;
+  const auto& [s, dv, dw] = x;
   constexpr PhiRate rate = M::phi_rate;
-  Return e;
+  ReturnOf<T> e;
   e.s = s;
   e.phi = phi_n + rate.v * dv + rate.w * dw;
   e.eps_v = trial.eps_v - dv;
   e.eps_q = trial.eps_q - dw;
-  e.exp_v = dv == 0 ? trial.exp_v : std::exp(-e.eps_v);
+  if constexpr (std::is_same_v<T, double>) e.exp_v = dv == 0 ? trial.exp_v : exp(-e.eps_v);
+  else e.exp_v = exp(-e.eps_v);
   const auto [moduli, surface] = properties(model, e.phi);
   e.moduli = moduli;
   e.at = surface.at(s);
@@ -69,11 +76,11 @@ Return evaluate_return(const M& model, const Trial& trial, double phi_n, double 
   e.s_min = surface.s_min();
   e.s_max = surface.s_max();
   const auto& [K, G, K_phi, G_phi] = e.moduli;
-  const SurfacePoint& f = e.at;
+  const auto& f = e.at;
   e.r = {(K * e.eps_v * e.exp_v - f.p) * unit, (3 * G * e.eps_q * e.exp_v - f.q) * unit,
          f.n_q * dv - f.n_p * dw};
-  const double p_phi = K_phi * e.eps_v * e.exp_v - f.p_phi, q_phi = 3 * G_phi * e.eps_q * e.exp_v - f.q_phi;
-  const double n_phi = f.n_q_phi * dv - f.n_p_phi * dw;
+  const T p_phi = K_phi * e.eps_v * e.exp_v - f.p_phi, q_phi = 3 * G_phi * e.eps_q * e.exp_v - f.q_phi;
+  const T n_phi = f.n_q_phi * dv - f.n_p_phi * dw;
   e.J[0] = {-f.p_s * unit, (-K * (1 - e.eps_v) * e.exp_v + p_phi * rate.v) * unit, p_phi * rate.w * unit};
   e.J[1] = {-f.q_s * unit, (3 * G * e.eps_q * e.exp_v + q_phi * rate.v) * unit,
             (-3 * G * e.exp_v + q_phi * rate.w) * unit};
@@ -82,10 +89,10 @@ Return evaluate_return(const M& model, const Trial& trial, double phi_n, double 
 }
 
 /// Cofactors of a 3x3 matrix, and its determinant: solve(b) = A^-1 b.
-struct Inverse3 {
-  std::array<std::array<double, 3>, 3> c;
-  double det, per_det;
-  explicit Inverse3(const std::array<std::array<double, 3>, 3>& a) {
+template <class T> struct Inverse3Of {
+  std::array<Triple<T>, 3> c;
+  T det, per_det;
+  explicit Inverse3Of(const std::array<Triple<T>, 3>& a) {
     c[0] = {a[1][1] * a[2][2] - a[1][2] * a[2][1], a[0][2] * a[2][1] - a[0][1] * a[2][2],
             a[0][1] * a[1][2] - a[0][2] * a[1][1]};
     c[1] = {a[1][2] * a[2][0] - a[1][0] * a[2][2], a[0][0] * a[2][2] - a[0][2] * a[2][0],
@@ -95,12 +102,13 @@ struct Inverse3 {
     det = a[0][0] * c[0][0] + a[0][1] * c[1][0] + a[0][2] * c[2][0];
     per_det = 1 / det;
   }
-  std::array<double, 3> solve(const std::array<double, 3>& b) const {
-    std::array<double, 3> x;
+  Triple<T> solve(const Triple<T>& b) const {
+    Triple<T> x;
     for (int i = 0; i < 3; ++i) x[i] = (c[i][0] * b[0] + c[i][1] * b[1] + c[i][2] * b[2]) * per_det;
     return x;
   }
 };
+using Inverse3 = Inverse3Of<double>;
 
 /// eps_v of K eps_v e^{-eps_v} = p on the branch through zero; NaN where p exceeds the elastic limit K/e.
 inline double volumetric_strain(double p, double K) {
@@ -175,14 +183,15 @@ template <InvariantModel M>
 /// is 1 + (|p|/K)(d(ln sigma_y)/d(phi) - d(ln K)/d(phi)), but for the elastic volume change. Where it is not
 /// positive, a further compaction by plastic flow would raise the elastic pressure faster than the strength:
 /// the root is no state that a compression leads to.
-inline double densification_margin(const Return& e, double det, TrialInvariants trial, double unit) {
+template <class T>
+T densification_margin(const ReturnOf<T>& e, const T& det, const TrialInvariantsOf<T>& trial, const T& unit) {
   const auto& [K, G, K_phi, G_phi] = e.moduli;
-  const SurfacePoint& f = e.at;
-  const double dv = trial.eps_v - e.eps_v, dw = trial.eps_q - e.eps_q;
+  const auto& f = e.at;
+  const T dv = trial.eps_v - e.eps_v, dw = trial.eps_q - e.eps_q;
   // The Jacobian with K_phi, G_phi and what the surface changes with phi left out; it has a zero at its end.
-  const double p_s = f.p_s * unit, q_s = f.q_s * unit, p_v = K * (1 - e.eps_v) * e.exp_v * unit,
-               q_v = 3 * G * e.eps_q * e.exp_v * unit, q_w = 3 * G * e.exp_v * unit;
-  const double frozen =
+  const T p_s = f.p_s * unit, q_s = f.q_s * unit, p_v = K * (1 - e.eps_v) * e.exp_v * unit,
+          q_v = 3 * G * e.eps_q * e.exp_v * unit, q_w = 3 * G * e.exp_v * unit;
+  const T frozen =
       -p_s * (q_w * f.n_q - q_v * f.n_p) + p_v * (q_s * f.n_p + q_w * (f.n_q_s * dv - f.n_p_s * dw));
   return det / frozen;
 }
@@ -198,6 +207,10 @@ template <InvariantModel M>
   const Return e = evaluate_return(model, yielding, phi_n, unit, {at, 0, 0});
   return densification_margin(e, Inverse3(e.J).det, yielding, unit);
 }
+
+/// The curve goes on, mirrored, behind its ends on the axis q = 0: pass an end by a tenth of its distance,
+/// enough to converge on it, too little to find roots behind it.
+inline constexpr double past_end = 1.1;
 
 /// Newton with line search from x, to a residual of `rounding`: whether it found a root that is admissible.
 template <InvariantModel M>
@@ -227,11 +240,9 @@ bool solve_return(const M& model, const Trial& trial, double phi_n, double unit,
     x = at;
     before = merit;
     dx = Inverse3(e.J).solve({-e.r[0], -e.r[1], -e.r[2]});
-    // The curve goes on, mirrored, behind its ends on the axis q = 0: pass an end by a tenth of its
-    // distance, enough to converge on it, too little to find roots behind it.
     fraction = 1;
-    if (x[0] + dx[0] < e.s_min) fraction = std::min(fraction, 1.1 * (e.s_min - x[0]) / dx[0]);
-    if (x[0] + dx[0] > e.s_max) fraction = std::min(fraction, 1.1 * (e.s_max - x[0]) / dx[0]);
+    if (x[0] + dx[0] < e.s_min) fraction = std::min(fraction, past_end * (e.s_min - x[0]) / dx[0]);
+    if (x[0] + dx[0] > e.s_max) fraction = std::min(fraction, past_end * (e.s_max - x[0]) / dx[0]);
     if (!(fraction > 0)) return false;
   }
   // A root is admissible if the plastic strain points outward, but for a trial that is outside by rounding
@@ -246,11 +257,58 @@ bool solve_return(const M& model, const Trial& trial, double phi_n, double unit,
   return p_off * p_off + q_off * q_off + n_off * n_off <= floor;
 }
 
+/// The model's first guess of a return, and one Newton step from it towards the closest point of the surface
+/// at phi_n, along the elastic tangent at the trial.
+template <class Surface, class T>
+Triple<T> first_guess(const Surface& surface, const ModuliOf<T>& m, const TrialOf<T>& trial,
+                      const InvariantResponseOf<T>& u) {
+  using core::pick;
+  const T per_p_v = 1 / u.p_v, per_q_q = 1 / u.q_q;
+  T s = surface.first_guess(u.p, u.q, m);
+  SurfacePointOf<T> f = surface.at(s);
+  T dv = (u.p - f.p) * per_p_v;
+  const T dw = (u.q - f.q) * per_q_q;
+  const T gap = f.n_q * dv - f.n_p * dw;
+  const T gap_s = f.n_q_s * dv - f.n_p_s * dw - f.n_q * f.p_s * per_p_v + f.n_p * f.q_s * per_q_q;
+  const T closer = s - gap / gap_s;
+  const auto taken = core::both(core::both(closer > surface.s_min(), closer < surface.s_max()), closer != s);
+  if (core::any(taken)) {
+    s = pick(taken, closer, s);
+    f = surface.at(s);
+    dv = (u.p - f.p) * per_p_v;
+  }
+  return {s, dv, trial.eps_q - (1 - dv) * f.q * per_q_q};
+}
+
+/// Stress, strain and tangent at the root e; `inverse` of its Jacobian.
+template <InvariantModel M, class T>
+void take(const ReturnOf<T>& e, const Inverse3Of<T>& inverse, const T& unit, InvariantResponseOf<T>& u) {
+  constexpr PhiRate rate = M::phi_rate;
+  u.p = e.at.p;
+  u.q = e.at.q;
+  u.eps_v = e.eps_v;
+  u.eps_q = e.eps_q;
+  u.exp_v = e.exp_v;
+  u.phi = e.phi;
+  // d(s, dv, dw) = -J^-1 dr, then the stress along the surface.
+  const auto by_v = inverse.solve({-e.moduli.K * (1 - e.eps_v) * e.exp_v * unit, u.q * unit, T{}});
+  const auto by_q = inverse.solve({T{}, -3 * e.moduli.G * e.exp_v * unit, T{}});
+  const auto along = [&](const Triple<T>& d, const T& by_s, const T& by_phi) -> T {
+    return by_s * d[0] + by_phi * (rate.v * d[1] + rate.w * d[2]);
+  };
+  u.p_v = along(by_v, e.at.p_s, e.at.p_phi);
+  u.q_v = along(by_v, e.at.q_s, e.at.q_phi);
+  u.p_q = along(by_q, e.at.p_s, e.at.p_phi);
+  u.q_q = along(by_q, e.at.q_s, e.at.q_phi);
+}
+
 } // namespace detail
 
 /// Elastic response of a trial strain; exp_v = e^{-eps_v}.
-inline InvariantResponse elastic_response(const Moduli& m, TrialInvariants trial, double exp_v, double phi) {
-  InvariantResponse u;
+template <class T>
+InvariantResponseOf<T> elastic_response(const ModuliOf<T>& m, const TrialInvariantsOf<T>& trial,
+                                        const T& exp_v, const T& phi) {
+  InvariantResponseOf<T> u;
   u.eps_v = trial.eps_v;
   u.eps_q = trial.eps_q;
   u.exp_v = exp_v;
@@ -274,25 +332,8 @@ template <InvariantModel M, class Surface>
   const detail::Trial trial{{u.eps_v, u.eps_q}, u.exp_v};
   if (!std::isfinite(u.p) || !std::isfinite(u.q)) return Status::refused;
 
-  // The first guess: the model's, and one Newton step from it towards the closest point of the surface at
-  // phi_n, along the elastic tangent at the trial.
-  const double per_p_v = 1 / u.p_v, per_q_q = 1 / u.q_q;
-  double s_n = surface_n.first_guess(u.p, u.q, m_n);
-  SurfacePoint f_n = surface_n.at(s_n);
-  double dv_n = (u.p - f_n.p) * per_p_v;
-  const double dw_n = (u.q - f_n.q) * per_q_q;
-  const double gap = f_n.n_q * dv_n - f_n.n_p * dw_n;
-  const double gap_s =
-      f_n.n_q_s * dv_n - f_n.n_p_s * dw_n - f_n.n_q * f_n.p_s * per_p_v + f_n.n_p * f_n.q_s * per_q_q;
-  const double closer = s_n - gap / gap_s;
-  if (closer > surface_n.s_min() && closer < surface_n.s_max() && closer != s_n) {
-    s_n = closer;
-    f_n = surface_n.at(s_n);
-    dv_n = (u.p - f_n.p) * per_p_v;
-  }
-  const std::array guess{s_n, dv_n, trial.eps_q - (1 - dv_n) * f_n.q * per_q_q};
-
-  const double unit = 1 / (3 * m_n.G);
+  const auto guess = detail::first_guess(surface_n, m_n, trial, u);
+  const double s_n = guess[0], unit = 1 / (3 * m_n.G);
   const double rounding = relative_return_tolerance * (std::abs(trial.eps_v) + trial.eps_q);
   // Where the first densification outruns the surface there is no root nearby; one far away is no state that
   // this strain leads to.
@@ -302,7 +343,7 @@ template <InvariantModel M, class Surface>
   };
   detail::Return e;
   Status status = Status::plastic;
-  std::array<double, 3> start = guess;
+  detail::Triple<double> start = guess;
   for (int attempt = 0; !detail::solve_return(model, trial, phi_n, unit, rounding, start, e); ++attempt) {
     if (attempt == 0) start = detail::frozen_return(model, trial, phi_n, 30);
     else if (attempt == 2) return Status::refused;
@@ -315,30 +356,60 @@ template <InvariantModel M, class Surface>
   if (e.zone == Zone::compaction && std::abs(trial.eps_v - e.eps_v) > 2 * std::abs(guess[1]) && outrun())
     return Status::unstable;
 
-  u.p = e.at.p;
-  u.q = e.at.q;
-  u.eps_v = e.eps_v;
-  u.eps_q = e.eps_q;
-  u.exp_v = e.exp_v;
-  u.phi = e.phi;
-
-  // d(s, dv, dw) = -J^-1 dr, then the stress along the surface.
   const detail::Inverse3 inverse(e.J);
   if (!(std::abs(inverse.det) > 0)) return Status::refused;
-  if (e.zone == Zone::compaction && detail::densification_margin(e, inverse.det, trial, unit) <= 0)
+  if (e.zone == Zone::compaction && detail::densification_margin<double>(e, inverse.det, trial, unit) <= 0)
     return Status::unstable;
-  const auto by_v = inverse.solve({-e.moduli.K * (1 - e.eps_v) * e.exp_v * unit, u.q * unit, 0});
-  const auto by_q = inverse.solve({0, -3 * e.moduli.G * e.exp_v * unit, 0});
-  constexpr PhiRate rate = M::phi_rate;
-  const auto along = [&](const std::array<double, 3>& d, double by_s, double by_phi) {
-    return by_s * d[0] + by_phi * (rate.v * d[1] + rate.w * d[2]);
-  };
-  u.p_v = along(by_v, e.at.p_s, e.at.p_phi);
-  u.q_v = along(by_v, e.at.q_s, e.at.q_phi);
-  u.p_q = along(by_q, e.at.p_s, e.at.p_phi);
-  u.q_q = along(by_q, e.at.q_s, e.at.q_phi);
+  detail::take<M>(e, inverse, unit, u);
   u.zone = e.zone;
   return status;
+}
+
+/// The same of eight points by plain Newton steps: the elastic responses u of those `outside` become their
+/// states, `zone` the numbers of their zones. Returns which did; the others, where a single point looks
+/// further or refuses, stay elastic.
+template <LaneModel M, class Surface>
+core::Mask<core::Lanes> integrate(const M& model, const ModuliOf<core::Lanes>& m_n, const Surface& surface_n,
+                                  const core::Mask<core::Lanes>& outside, InvariantResponseOf<core::Lanes>& u,
+                                  core::Lanes& zone) {
+  using core::abs, core::pick;
+  using T = core::Lanes;
+  const T phi_n = u.phi, unit = 1 / (3 * m_n.G);
+  const detail::TrialOf<T> trial{{u.eps_v, u.eps_q}, u.exp_v};
+  const auto guess = detail::first_guess(surface_n, m_n, trial, u);
+  const T rounding = relative_return_tolerance * (abs(trial.eps_v) + trial.eps_q);
+  const T tolerance = rounding * rounding;
+  auto x = guess;
+  T before = T{} + std::numeric_limits<double>::infinity(), fraction{};
+  detail::ReturnOf<T> e;
+  core::Mask<core::Lanes> under_way = outside, found{};
+  for (int steps = 0; steps < 12; ++steps) {
+    e = detail::evaluate_return(model, trial, phi_n, unit, x);
+    const T merit = e.merit();
+    found |= under_way & (merit <= tolerance);
+    under_way &= ~found & (merit < before * (1 - 1e-4 * fraction));
+    if (!core::any(under_way)) break;
+    before = merit;
+    const auto dx = detail::Inverse3Of<T>(e.J).solve({-e.r[0], -e.r[1], -e.r[2]});
+    const T reached = x[0] + dx[0];
+    const T end = pick(reached < e.s_min, e.s_min, pick(reached > e.s_max, e.s_max, reached));
+    fraction = pick(end != reached, detail::past_end * (end - x[0]) / dx[0], T{} + 1);
+    for (int i = 0; i < 3; ++i) x[i] = pick(under_way, x[i] + fraction * dx[i], x[i]);
+  }
+  const T dv = trial.eps_v - e.eps_v, dw = trial.eps_q - e.eps_q;
+  found &= (e.at.n_p * dv + e.at.n_q * dw > -rounding) & (e.s >= e.s_min) & (e.s <= e.s_max);
+  const detail::Inverse3Of<T> inverse(e.J);
+  const auto compacts = e.zone == static_cast<double>(Zone::compaction);
+  found &= abs(inverse.det) > 0;
+  found &= ~compacts | ((abs(dv) <= 2 * abs(guess[1])) &
+                        (detail::densification_margin<T>(e, inverse.det, trial, unit) > 0));
+  InvariantResponseOf<T> plastic;
+  detail::take<M>(e, inverse, unit, plastic);
+  using U = InvariantResponseOf<T>;
+  const auto become = [&](auto... of) { ((u.*of = pick(found, plastic.*of, u.*of)), ...); };
+  become(&U::p, &U::q, &U::eps_v, &U::eps_q, &U::exp_v, &U::phi, &U::p_v, &U::p_q, &U::q_v, &U::q_q);
+  zone = pick(found, e.zone, T{} + static_cast<double>(Zone::elastic));
+  return found;
 }
 
 } // namespace platen::material

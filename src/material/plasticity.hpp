@@ -15,6 +15,8 @@
 //   struct Surface { SurfacePoint at(double s) const; ... };    surface at one phi, with derivatives in phi
 //   model.moduli(phi), model.surface(phi), Model::phi_rate      see the concepts below
 
+#include "core/lanes.hpp"
+
 #include <array>
 #include <concepts>
 #include <string>
@@ -37,22 +39,26 @@ enum class Status : unsigned char {
 /// Whether the update has no state to give.
 constexpr bool is_refused(Status status) { return status >= Status::refused; }
 
+// What a return computes with is written for a number type T: double, or core::Lanes, eight points at a time.
+
 /// Invariants of a trial elastic Hencky strain.
-struct TrialInvariants {
-  double eps_v; ///< trace
-  double eps_q; ///< sqrt(2/3 e:e), e the deviator
+template <class T> struct TrialInvariantsOf {
+  T eps_v; ///< trace
+  T eps_q; ///< sqrt(2/3 e:e), e the deviator
 };
+using TrialInvariants = TrialInvariantsOf<double>;
 
 /// The state after the increment, and the consistent tangent d(p, q)/d(eps_v^tr, eps_q^tr).
-struct InvariantResponse {
-  Status status = Status::elastic;
+template <class T> struct InvariantResponseOf {
+  Status status = Status::elastic; ///< of a single point, as is the zone
   Zone zone = Zone::elastic;
-  double p = 0, q = 0;         ///< Cauchy (Pa)
-  double eps_v = 0, eps_q = 0; ///< elastic strain
-  double exp_v = 1;            ///< e^{-eps_v}
-  double phi = 0;
-  double p_v = 0, p_q = 0, q_v = 0, q_q = 0; ///< tangent (Pa)
+  T p{}, q{};         ///< Cauchy (Pa)
+  T eps_v{}, eps_q{}; ///< elastic strain
+  T exp_v{};          ///< e^{-eps_v}
+  T phi{};
+  T p_v{}, p_q{}, q_v{}, q_q{}; ///< tangent (Pa)
 };
+using InvariantResponse = InvariantResponseOf<double>;
 
 /// The same of a model that is returned in principal stresses.
 struct PrincipalResponse {
@@ -64,24 +70,26 @@ struct PrincipalResponse {
 };
 
 /// Bulk and shear modulus (Pa) with their derivatives in phi.
-struct Moduli {
-  double K, G;
-  double K_phi = 0, G_phi = 0;
+template <class T> struct ModuliOf {
+  T K, G;
+  T K_phi{}, G_phi{};
 };
+using Moduli = ModuliOf<double>;
 
 /// A point of the yield surface and the unit flow direction there, with derivatives in s and phi.
-struct SurfacePoint {
-  double p, q;         ///< Pa
-  double p_s, q_s;     ///< derivatives in s
-  double p_phi, q_phi; ///< derivatives in phi at constant s
-  double n_p, n_q;     ///< flow direction: d(eps_v^p) : d(eps_q^p) = n_p : n_q, n_p^2 + n_q^2 = 1
-  double n_p_s, n_q_s;
-  double n_p_phi, n_q_phi;
+template <class T> struct SurfacePointOf {
+  T p, q;         ///< Pa
+  T p_s, q_s;     ///< derivatives in s
+  T p_phi, q_phi; ///< derivatives in phi at constant s
+  T n_p, n_q;     ///< flow direction: d(eps_v^p) : d(eps_q^p) = n_p : n_q, n_p^2 + n_q^2 = 1
+  T n_p_s, n_q_s;
+  T n_p_phi, n_q_phi;
 };
+using SurfacePoint = SurfacePointOf<double>;
 
 /// Moduli and yield surface at one phi.
-template <class Surface> struct Properties {
-  Moduli moduli;
+template <class Surface, class T = double> struct Properties {
+  ModuliOf<T> moduli;
   Surface surface;
 };
 
@@ -157,13 +165,19 @@ template <class M> constexpr bool in_invariants(const M& model) {
 }
 
 /// Both at once: a model may offer them together, where that is cheaper.
-template <InvariantModel M> auto properties(const M& model, double phi) {
+template <InvariantModel M, class T> auto properties(const M& model, T phi) {
   if constexpr (requires { model.properties(phi); }) return model.properties(phi);
   else return Properties<decltype(model.surface(phi))>{model.moduli(phi), model.surface(phi)};
 }
 
+/// One that offers them, and all that its surface tells, for eight numbers at a time.
+template <class M>
+concept LaneModel = InvariantModel<M> && requires(const M& model, core::Lanes phi) {
+  model.properties(phi);
+};
+
 /// K and G of an isotropic material.
-constexpr Moduli isotropic_moduli(double E, double nu) {
+template <class T> constexpr ModuliOf<T> isotropic_moduli(const T& E, const T& nu) {
   return {E / (3 * (1 - 2 * nu)), E / (2 * (1 + nu))};
 }
 

@@ -34,19 +34,22 @@ struct Porous {
   static constexpr double epsilon_min = 0.05;
 
   /// Strengths at one phi with their derivatives, as they shape a surface.
-  struct Strengths {
-    double Lambda, Gamma, pi_3,
-        b; ///< pi_3 = sigma_y - b, b = epsilon Gamma: centre and p-semi-axis of the cap
-    double Lambda_phi, Gamma_phi, pi_3_phi, b_phi;
+  template <class T> struct StrengthsOf {
+    T Lambda, Gamma, pi_3, b; ///< pi_3 = sigma_y - b, b = epsilon Gamma: centre and p-semi-axis of the cap
+    T Lambda_phi, Gamma_phi, pi_3_phi, b_phi;
   };
+  using Strengths = StrengthsOf<double>;
 
   double reference_stress() const { return sigma_y; }
 
-  double rho_r(double phi) const { return rho_r0 * std::exp(phi); }
+  template <class T> T rho_r(T phi) const {
+    using std::exp, core::exp;
+    return rho_r0 * exp(phi);
+  }
 
-  /// Moduli and strengths share the density. S: Strengths, or a surface made of them (a copy would cost).
-  template <class S> Properties<S> evolved(double phi) const {
-    const Density d = density(phi);
+  /// Moduli and strengths share the density. S: strengths, or a surface made of them (a copy would cost).
+  template <class S, class T> Properties<S, T> evolved(T phi) const {
+    const DensityOf<T> d = density(phi);
     return {moduli(d), strengths<S>(d)};
   }
   Moduli moduli(double phi) const { return moduli(density(phi)); }
@@ -59,43 +62,51 @@ struct Porous {
   }
 
  private:
-  struct Density {
-    double rho;        ///< rho_r, unbounded
-    double change;     ///< min(rho_r, 1) - rho_r0: the properties are functions of this
-    double change_phi; ///< its derivative
+  template <class T> struct DensityOf {
+    T rho;        ///< rho_r, unbounded
+    T change;     ///< min(rho_r, 1) - rho_r0: the properties are functions of this
+    T change_phi; ///< its derivative
   };
-  Density density(double phi) const {
-    const double rho = rho_r(phi);
-    return {rho, std::min(rho, 1.0) - rho_r0, rho < 1 ? rho : 0};
+  using Density = DensityOf<double>;
+  template <class T> DensityOf<T> density(T phi) const {
+    using core::pick;
+    const T rho = rho_r(phi), one = T{} + 1;
+    return {rho, pick(rho < 1, rho, one) - rho_r0, pick(rho < 1, rho, T{})};
   }
 
-  Moduli moduli(const Density& d) const {
-    const double E_ = E * std::exp(xi * d.change), E_phi = xi * d.change_phi; // relative to E_
-    double nu_ = nu + xi_1 * d.change, nu_phi = xi_1 * d.change_phi;
-    if (nu_ > nu_max) nu_ = nu_max, nu_phi = 0;
-    if (nu_ < 0) nu_ = 0, nu_phi = 0;
-    Moduli m = isotropic_moduli(E_, nu_);
+  template <class T> ModuliOf<T> moduli(const DensityOf<T>& d) const {
+    using std::exp, core::exp, core::pick;
+    const T E_ = E * exp(xi * d.change), E_phi = xi * d.change_phi; // relative to E_
+    T nu_ = nu + xi_1 * d.change;
+    const auto bounded = core::either(nu_ > nu_max, nu_ < 0);
+    const T nu_phi = pick(bounded, T{}, xi_1 * d.change_phi);
+    nu_ = pick(nu_ > nu_max, T{} + nu_max, pick(nu_ < 0, T{}, nu_));
+    ModuliOf<T> m = isotropic_moduli(E_, nu_);
     m.K_phi = m.K * (E_phi + 2 * nu_phi / (1 - 2 * nu_));
     m.G_phi = m.G * (E_phi - nu_phi / (1 + nu_));
     return m;
   }
 
-  template <class S> S strengths(const Density& d) const {
+  template <class S, class T> S strengths(const DensityOf<T>& d) const {
+    using std::exp, core::exp, core::pick;
     // Their exponents are often the same.
-    const double by_eta = std::exp(eta * d.change),
-                 by_zeta = zeta == eta ? by_eta : std::exp(zeta * d.change),
-                 by_omega = omega == eta ? by_eta : std::exp(omega * d.change);
-    const double sigma_y_ = sigma_y * by_eta, sigma_y_phi = eta * d.change_phi * sigma_y_;
+    const T by_eta = exp(eta * d.change), by_zeta = zeta == eta ? by_eta : exp(zeta * d.change),
+            by_omega = omega == eta ? by_eta : exp(omega * d.change);
+    const T sigma_y_ = sigma_y * by_eta, sigma_y_phi = eta * d.change_phi * sigma_y_;
     S f{};
     f.Gamma = Gamma * by_zeta;
     f.Gamma_phi = zeta * d.change_phi * f.Gamma;
     f.Lambda = Lambda * by_omega;
     f.Lambda_phi = omega * d.change_phi * f.Lambda;
-    double epsilon_ = epsilon + xi_2 * d.change, epsilon_phi = xi_2 * d.change_phi;
-    if (epsilon_ < epsilon_min) epsilon_ = epsilon_min, epsilon_phi = 0;
+    T epsilon_ = epsilon + xi_2 * d.change;
+    const auto least = epsilon_ < epsilon_min;
+    const T epsilon_phi = pick(least, T{}, xi_2 * d.change_phi);
+    epsilon_ = pick(least, T{} + epsilon_min, epsilon_);
     f.b = epsilon_ * f.Gamma;
     f.b_phi = epsilon_phi * f.Gamma + epsilon_ * f.Gamma_phi;
-    if (f.b > sigma_y_) f.b = sigma_y_, f.b_phi = sigma_y_phi;
+    const auto centred = f.b > sigma_y_;
+    f.b = pick(centred, sigma_y_, f.b);
+    f.b_phi = pick(centred, sigma_y_phi, f.b_phi);
     f.pi_3 = sigma_y_ - f.b;
     f.pi_3_phi = sigma_y_phi - f.b_phi;
     return f;

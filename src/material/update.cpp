@@ -1,5 +1,7 @@
 #include "material/update.hpp"
 
+#include "core/vector_clones.hpp"
+
 #include <cassert>
 #include <cmath>
 #include <type_traits>
@@ -7,20 +9,27 @@
 namespace platen::material {
 namespace {
 
+/// The same fields of one point or of eight.
+template <class T> struct PrincipalOf {
+  std::array<T, 3> sigma, eps;
+  std::array<std::array<T, 3>, 3> D;
+};
+
 /// Principal stresses and their tangent from the invariant response: sigma_A = p + q m_A, m_A = 2 e_A/(3
 /// eps_q).
-void to_principal(const std::array<double, 3>& eps_trial, TrialInvariants trial, const InvariantResponse& u,
-                  PointUpdate& out) {
-  const double mean = trial.eps_v / 3;
-  std::array<double, 3> m{};
-  double spin = 2.0 / 3 * u.q_q; // of the limit of q/eps_q
-  if (trial.eps_q > 1e-14) {
-    const double per_eps_q = 1 / trial.eps_q;
-    for (int A = 0; A < 3; ++A) m[A] = 2.0 / 3 * (eps_trial[A] - mean) * per_eps_q;
-    spin = 2.0 / 3 * u.q * per_eps_q;
-  }
+template <class T, class Out>
+void to_principal(const std::array<T, 3>& eps_trial, const TrialInvariantsOf<T>& trial,
+                  const InvariantResponseOf<T>& u, Out& out) {
+  using core::pick;
+  const T mean = trial.eps_v / 3;
+  std::array<T, 3> m{};
+  // Without a deviator the limit of q/eps_q.
+  const auto turned = trial.eps_q > 1e-14;
+  const T per_eps_q = pick(turned, 1 / trial.eps_q, T{});
+  const T spin = 2.0 / 3 * pick(turned, u.q * per_eps_q, u.q_q);
+  for (int A = 0; A < 3; ++A) m[A] = 2.0 / 3 * (eps_trial[A] - mean) * per_eps_q;
   // D = (p_v + p_q m_B) + m_A (q_v + q_q m_B) + spin (delta_AB - 1/3 - 3/2 m_A m_B)
-  const double constant = u.p_v - spin / 3, product = u.q_q - 1.5 * spin;
+  const T constant = u.p_v - spin / 3, product = u.q_q - 1.5 * spin;
   for (int A = 0; A < 3; ++A) {
     out.sigma[A] = u.p + u.q * m[A];
     out.eps[A] = u.eps_v / 3 + 1.5 * u.eps_q * m[A];
@@ -115,13 +124,67 @@ template <InvariantModel M> struct Prepared {
   }
 };
 
+/// Eight points side by side; those that it does not find go point by point.
+template <LaneModel M>
+void update_lanes(const M& model, const std::array<double, 3>* eps_trial, const double* phi_n,
+                  PointUpdate* out) {
+  using T = core::Lanes;
+  constexpr int lanes = core::lanes<T>;
+  std::array<T, 3> eps;
+  T phi;
+  for (int i = 0; i < lanes; ++i) {
+    for (int A = 0; A < 3; ++A) eps[A][i] = eps_trial[i][A];
+    phi[i] = phi_n[i];
+  }
+  const T eps_v = eps[0] + eps[1] + eps[2];
+  T squares{};
+  for (const T& e : eps) squares += (e - eps_v / 3) * (e - eps_v / 3);
+  const TrialInvariantsOf<T> trial{eps_v, core::sqrt(2.0 / 3 * squares)};
+  const auto [moduli, surface] = properties(model, phi);
+  auto u = elastic_response<T>(moduli, trial, core::exp(-eps_v), phi);
+  const core::Mask<core::Lanes> outside = ~surface.contains(u.p, u.q);
+  core::Mask<core::Lanes> left = outside;
+  T zone = T{} + static_cast<double>(Zone::elastic);
+  if (core::any(outside)) left &= ~integrate(model, moduli, surface, outside, u, zone);
+
+  PrincipalOf<T> principal;
+  to_principal(eps, trial, u, principal);
+  const T dv = eps_v - u.eps_v, dw = trial.eps_q - u.eps_q, work = (u.p * dv + u.q * dw) / u.exp_v;
+  for (int i = 0; i < lanes; ++i) {
+    PointUpdate& o = out[i];
+    for (int A = 0; A < 3; ++A) {
+      o.sigma[A] = principal.sigma[A][i];
+      o.eps[A] = principal.eps[A][i];
+      for (int B = 0; B < 3; ++B) o.D[A][B] = principal.D[A][B][i];
+    }
+    o.p = u.p[i], o.q = u.q[i], o.phi = u.phi[i];
+    o.dv = dv[i], o.dw = dw[i], o.plastic_work = work[i];
+    o.zone = static_cast<Zone>(static_cast<int>(zone[i]));
+    o.status = outside[i] ? Status::plastic : Status::elastic;
+  }
+  for (int i = 0; i < lanes; ++i)
+    if (left[i]) update_point(model, eps_trial[i], phi_n[i], out[i]);
+}
+
+PLATEN_VECTOR_CLONES [[gnu::flatten]] void update_eight(const Vmdc& model,
+                                                        const std::array<double, 3>* eps_trial,
+                                                        const double* phi_n, PointUpdate* out) {
+  update_lanes(model, eps_trial, phi_n, out);
+}
+
 template <class M>
 UpdateCounts update_all(const M& model, std::span<const std::array<double, 3>> eps_trial,
                         std::span<const double> phi_n, std::span<PointUpdate> out) {
   UpdateCounts counts;
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    update_point(model, eps_trial[i], phi_n[i], out[i]);
-    const Status status = out[i].status;
+  std::size_t done = 0;
+#ifndef PLATEN_PLAIN
+  if constexpr (LaneModel<M>)
+    for (constexpr int lanes = core::lanes<core::Lanes>; done + lanes <= out.size(); done += lanes)
+      update_eight(model, &eps_trial[done], &phi_n[done], &out[done]);
+#endif
+  for (std::size_t i = done; i < out.size(); ++i) update_point(model, eps_trial[i], phi_n[i], out[i]);
+  for (const PointUpdate& point : out) {
+    const Status status = point.status;
     counts.plastic += status == Status::plastic || status == Status::bracketed;
     counts.bracketed += status == Status::bracketed;
     counts.refused += is_refused(status);
