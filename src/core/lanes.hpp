@@ -57,9 +57,9 @@ template <Vector V> PLATEN_LANES std::array<double, lanes<V>> apart(const V& x) 
 }
 
 template <Vector V> PLATEN_LANES V sqrt(const V& x) {
-  V root;
-  for (int i = 0; i < lanes<V>; ++i) root[i] = std::sqrt(x[i]);
-  return root;
+  auto root = apart(x);
+  for (double& number : root) number = std::sqrt(number);
+  return side_by_side<V>(root);
 }
 template <Vector V> PLATEN_LANES V abs(const V& x) { return x < 0 ? -x : x; }
 

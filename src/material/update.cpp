@@ -166,11 +166,13 @@ void update_lanes(const M& model, const std::array<double, 3>* eps_trial, const 
     if (left[i]) update_point(model, eps_trial[i], phi_n[i], out[i]);
 }
 
+#ifndef PLATEN_PLAIN
 PLATEN_VECTOR_CLONES [[gnu::flatten]] void update_eight(const Vmdc& model,
                                                         const std::array<double, 3>* eps_trial,
                                                         const double* phi_n, PointUpdate* out) {
   update_lanes(model, eps_trial, phi_n, out);
 }
+#endif
 
 template <class M>
 UpdateCounts update_all(const M& model, std::span<const std::array<double, 3>> eps_trial,

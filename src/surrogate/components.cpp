@@ -66,10 +66,9 @@ Crossed cross(const Components& components, const Table& table, const Inputs& in
 std::vector<double> values_at(const Components& components, const Inputs& inputs,
                               std::span<const double> at) {
   auto values = components.mean;
-  for (std::size_t c = 0; c < components.basis.size(); ++c) {
-    const double score = components.processes[c].mean(inputs, at);
-    for (std::size_t j = 0; j < values.size(); ++j) values[j] += score * components.basis[c][j];
-  }
+  const auto scores = means(components.processes, inputs, at);
+  for (std::size_t c = 0; c < components.basis.size(); ++c)
+    for (std::size_t j = 0; j < values.size(); ++j) values[j] += scores[c] * components.basis[c][j];
   return values;
 }
 

@@ -1,9 +1,12 @@
 #include "surrogate/process.hpp"
 
+#include "core/lanes.hpp"
+#include "core/vector_clones.hpp"
 #include "surrogate/kernel.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace platen::surrogate {
 namespace {
@@ -74,8 +77,61 @@ void remember(Process& p, const Inputs& inputs) {
   p.known = std::move(known);
 }
 
-double Process::mean(const Inputs& inputs, std::span<const double> at) const {
-  return variance * vector_of(weights).dot(kernels(*this, inputs, at, distances(*this, inputs, at)).matrix());
+namespace {
+
+/// What the kernels of all processes have in common at a place: columns of inputs, filled up to whole
+/// vectors.
+struct Place {
+  std::size_t length;
+  std::vector<double> squares; ///< 5 (x_i - at_i)^2, a column a coordinate
+  std::vector<double> plane;   ///< 1 + (x - 1/2).(at - 1/2)
+
+  Place(const Inputs& inputs, std::span<const double> at)
+      : length((inputs.size() + width - 1) / width * width), squares(length * inputs.dimensions),
+        plane(length) {
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      const auto x = inputs.row(i);
+      for (std::size_t k = 0; k < x.size(); ++k)
+        squares[k * length + i] = 5 * (x[k] - at[k]) * (x[k] - at[k]);
+      plane[i] = plane_product(x, at);
+    }
+  }
+  static constexpr std::size_t width = core::lanes<core::Lanes>;
+};
+
+/// Sum of kernel times weight; `weights` as long as the columns.
+PLATEN_VECTOR_CLONES [[gnu::flatten]] double weighted(const Process& p, const Place& place,
+                                                      const double* weights) {
+  using T = core::Lanes;
+  const auto load = [](const double* from, T& x) { std::memcpy(&x, from, sizeof x); };
+  T sum{}, x, w;
+  for (std::size_t i = 0; i < place.length; i += Place::width) {
+    T square{};
+    for (std::size_t k = 0; k < p.w.size(); ++k) {
+      load(&place.squares[k * place.length + i], x);
+      square += p.w[k] * p.w[k] * x;
+    }
+    const T r = core::sqrt(square);
+    load(&place.plane[i], x);
+    load(weights + i, w);
+    sum += w * ((1 + r + r * r / 3) * core::exp(-r) + p.plane * x);
+  }
+  double all = 0;
+  for (std::size_t n = 0; n < Place::width; ++n) all += sum[n];
+  return all;
+}
+
+} // namespace
+
+std::vector<double> means(std::span<const Process> processes, const Inputs& inputs,
+                          std::span<const double> at) {
+  const Place place(inputs, at);
+  std::vector<double> weights(place.length), result;
+  for (const Process& p : processes) {
+    std::copy(p.weights.begin(), p.weights.end(), weights.begin());
+    result.push_back(p.variance * weighted(p, place, weights.data()));
+  }
+  return result;
 }
 
 LeftOut left_out(const Process& p, const Inputs& inputs, std::span<const double> values) {

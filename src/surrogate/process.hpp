@@ -32,9 +32,10 @@ struct Process {
   double nugget = 0;           ///< n
   std::vector<double> weights; ///< of the inputs, K^-1 y
   std::shared_ptr<const Known> known = {};
-
-  double mean(const Inputs&, std::span<const double> at) const;
 };
+
+/// What processes over the same inputs say at a place.
+std::vector<double> means(std::span<const Process>, const Inputs&, std::span<const double> at);
 
 /// What the process says of each value when it is left out, the rest and the lengths as they are (closed
 /// form).

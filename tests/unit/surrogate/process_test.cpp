@@ -28,7 +28,8 @@ TEST(Process, GoesThroughItsValues) {
   const Inputs inputs = places(40);
   const auto values = values_of(inputs, wavy);
   const Process p = fit_process(inputs, values);
-  for (std::size_t i = 0; i < inputs.size(); ++i) EXPECT_NEAR(p.mean(inputs, inputs.row(i)), values[i], 1e-4);
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+    EXPECT_NEAR(means({&p, 1}, inputs, inputs.row(i))[0], values[i], 1e-4);
 }
 
 TEST(Process, SaysASmoothFunctionBetweenThem) {
@@ -37,7 +38,7 @@ TEST(Process, SaysASmoothFunctionBetweenThem) {
   for (double x = 0.1; x < 0.95; x += 0.2)
     for (double y = 0.1; y < 0.95; y += 0.2) {
       const std::vector<double> at = {x, y};
-      EXPECT_NEAR(p.mean(inputs, at), wavy(x, y), 5e-3) << x << " " << y;
+      EXPECT_NEAR(means({&p, 1}, inputs, at)[0], wavy(x, y), 5e-3) << x << " " << y;
     }
 }
 
@@ -46,7 +47,7 @@ TEST(Process, ContinuesAPlaneBeyondItsInputs) {
   const Inputs inputs = places(30);
   const Process p = fit_process(inputs, values_of(inputs, plane));
   const std::vector<double> at = {1.3, -0.2};
-  EXPECT_NEAR(p.mean(inputs, at), plane(1.3, -0.2), 0.05);
+  EXPECT_NEAR(means({&p, 1}, inputs, at)[0], plane(1.3, -0.2), 0.05);
 }
 
 // Of more inputs than are asked: the nearest are others at every place. Of few more the others are left out,
@@ -86,7 +87,7 @@ TEST(Process, LeavesOutInClosedForm) {
     other_values.erase(other_values.begin() + static_cast<std::ptrdiff_t>(i));
     Process without = p;
     pass_through(without, others, other_values);
-    EXPECT_NEAR(without.mean(others, inputs.row(i)), out.mean[i], 1e-9);
+    EXPECT_NEAR(means({&without, 1}, others, inputs.row(i))[0], out.mean[i], 1e-9);
     without.variance = p.variance; // of all values, as the closed form has it
     const double variance = variance_at(without, others, inputs.row(i)) + p.nugget * p.variance;
     EXPECT_NEAR(variance, out.variance[i], 1e-6 * out.variance[i]);
