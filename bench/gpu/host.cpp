@@ -7,7 +7,8 @@
 
 namespace platen::bench {
 
-void host_step(const Laws& laws, const Path& path, std::uint32_t first, int t, std::vector<Answer>& contacts) {
+void host_step(const Laws& laws, const Path& path, std::uint32_t first, int t,
+               std::vector<Answer>& contacts) {
   for (std::uint32_t i = 0; i < contacts.size(); ++i) {
     const law::Response now =
         law::evaluate(laws.of(first + i), contacts[i].state, path.overlap(first + i, t));

@@ -1,6 +1,6 @@
-// What a contact costs on a GPU, and whether it gets the host's numbers: every law, its table made on the host and
-// copied, 3e7 contacts that load, unload, reload and part. Ends with 1 where force, contact radius or memory is
-// off by more than 1e-9.
+// What a contact costs on a GPU, and whether it gets the host's numbers: every law, its table made on the
+// host and copied, 3e7 contacts that load, unload, reload and part. Ends with 1 where force, contact radius
+// or memory is off by more than 1e-9.
 //
 //   law_bench [CONTACTS]
 
@@ -40,7 +40,7 @@ void check(cudaError_t status) {
 
 /// Memory of the device.
 template <class T> class Array {
-public:
+ public:
   explicit Array(std::size_t n) { check(cudaMalloc(reinterpret_cast<void**>(&data_), n * sizeof(T))); }
   explicit Array(const std::vector<T>& host) : Array(host.size()) {
     check(cudaMemcpy(data_, host.data(), host.size() * sizeof(T), cudaMemcpyHostToDevice));
@@ -53,7 +53,7 @@ public:
     check(cudaMemcpy(host.data(), data_, host.size() * sizeof(T), cudaMemcpyDeviceToHost));
   }
 
-private:
+ private:
   T* data_ = nullptr;
 };
 
@@ -139,7 +139,8 @@ struct Traffic {
   }
 };
 
-/// Largest difference from the host over a sample; of force and radius relative to the contact's largest so far.
+/// Largest difference from the host over a sample; of force and radius relative to the contact's largest so
+/// far.
 struct Deviation {
   double force = 0, radius = 0, memory = 0;
 
@@ -153,7 +154,7 @@ double off(double ours, double host, double size) {
 }
 
 class Compared {
-public:
+ public:
   Compared() : answer(compared), top_force(compared), top_radius(compared) {}
 
   void step(const Laws& laws, const Path& host_path, int t, const Array<law::State>& state,
@@ -174,7 +175,7 @@ public:
   Deviation worst;
   double touching = 0;
 
-private:
+ private:
   std::vector<Answer> answer;
   std::vector<double> top_force, top_radius, forces = std::vector<double>(compared), radii = forces;
   std::vector<law::State> states = std::vector<law::State>(compared);
@@ -182,7 +183,7 @@ private:
 
 /// Contacts on the device, and what measures with them.
 class Bench {
-public:
+ public:
   explicit Bench(std::uint32_t n) : n_(n), overlap(n), state(n), force(n), radius(n) {}
 
   /// [ns] of a contact and step.
@@ -213,7 +214,7 @@ public:
     return ns();
   }
 
-private:
+ private:
   [[nodiscard]] Contacts contacts() const {
     return {overlap.data(), state.data(), force.data(), radius.data()};
   }
@@ -227,7 +228,7 @@ private:
 
 /// Tables on the device, for as long as this lives.
 class OnDevice {
-public:
+ public:
   explicit OnDevice(const Laws& laws) {
     for (const law::Law& law : laws.list) {
       Prepared one{*law.table, law.scale};
@@ -238,7 +239,7 @@ public:
   }
   std::vector<Prepared> list;
 
-private:
+ private:
   std::vector<Array<law::Cell>> cells;
   std::vector<Array<std::uint16_t>> slots;
 };
@@ -279,7 +280,8 @@ std::vector<Named> all_cases() {
   }
   for (const char* law : {"hertz", "edmans-sinka", "pressed", "mdr"})
     for (std::size_t k = 0; k < from.size(); ++k)
-      if (from[k]->law == std::string(law)) list.push_back(named(law + std::string(", 1 : 0.4"), {every[k]}, {from[k]}));
+      if (from[k]->law == std::string(law))
+        list.push_back(named(law + std::string(", 1 : 0.4"), {every[k]}, {from[k]}));
   list.push_back(named("all, drawn", std::move(every), from));
   return list;
 }
@@ -296,12 +298,14 @@ int main(int argc, char** argv) {
   const unsigned threads = std::max(1u, std::thread::hardware_concurrency());
   std::printf("# %s, CUDA %d.%d; host: %u threads; %u contacts, %d steps\n", device.name, driver / 1000,
               driver % 1000 / 10, threads, n, bench::steps);
-  std::printf("# ns of a contact and step; / hertz, / traffic: over the law hertz, over its memory read and written "
-              "alone, on the GPU\n# off: force, radius (of the contact's largest so far) and memory, from the host's, "
-              "largest of %u contacts\n",
-              compared);
-  std::printf("%-24s %8s %8s %9s %8s %9s %9s %7s %9s %9s %9s\n", "law", "GPU", "/ hertz", "/ traffic", "1 core",
-              "all cores", "all/GPU", "touch", "force", "radius", "memory");
+  std::printf(
+      "# ns of a contact and step; / hertz, / traffic: over the law hertz, over its memory read and written "
+      "alone, on the GPU\n# off: force, radius (of the contact's largest so far) and memory, from the "
+      "host's, "
+      "largest of %u contacts\n",
+      compared);
+  std::printf("%-24s %8s %8s %9s %8s %9s %9s %7s %9s %9s %9s\n", "law", "GPU", "/ hertz", "/ traffic",
+              "1 core", "all cores", "all/GPU", "touch", "force", "radius", "memory");
   Bench bench(n);
   double hertz = 0, traffic = 0;
   bool wrong = false;

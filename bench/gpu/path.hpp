@@ -14,8 +14,8 @@ constexpr std::uint32_t sorts = 1 << 16; ///< contact i has the size and the law
 
 struct Path {
   const double* size = nullptr; ///< overlap at level 1, of each sort [m]
-  double level[steps] = {0.1, 0.3,  0.6, 0.8, 1.0, 0.9, 0.7, 0.5, 0.8, 1.0, 1.2, 1.4,
-                         1.1, 0.2,  0.9, 1.3, 1.6, 1.5, -0.1, 0.3, 1.4, 1.8, 1.6, 2.0};
+  double level[steps] = {0.1, 0.3, 0.6, 0.8, 1.0, 0.9, 0.7,  0.5, 0.8, 1.0, 1.2, 1.4,
+                         1.1, 0.2, 0.9, 1.3, 1.6, 1.5, -0.1, 0.3, 1.4, 1.8, 1.6, 2.0};
 
   /// Of contact i at step t; 1/8 more or less than its level.
   [[nodiscard]] PLATEN_FUNCTION double overlap(std::uint32_t i, int t) const {

@@ -114,7 +114,8 @@ struct Mdr {
 
   [[nodiscard]] PLATEN_FUNCTION double work(double gamma) const {
     if (gamma <= gamma_elastic) return 0.4 * gamma * loading(gamma).F;
-    const double x_Y = gamma_elastic * pair.x_per_gamma, x = smaller(gamma * pair.x_per_gamma, double(x_valid));
+    const double x_Y = gamma_elastic * pair.x_per_gamma,
+                 x = smaller(gamma * pair.x_per_gamma, double(x_valid));
     double W = 0.4 * gamma_elastic * loading(gamma_elastic).F +
                std::numbers::pi * flat.R * flat.R * sigma_y * work_bar(x_Y, x - x_Y) / pair.x_per_gamma;
     const double more = gamma - x_valid / pair.x_per_gamma;
