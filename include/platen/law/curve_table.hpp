@@ -76,7 +76,9 @@ class LoadingTable {
  private:
   using Force = LogTable<4>;
   Force force_;
-  [[nodiscard]] const CurveHistory& before(std::size_t i) const { return i > 0 ? history_[i - 1] : first_; }
+  [[nodiscard]] PLATEN_FUNCTION const CurveHistory& before(std::size_t i) const {
+    return i > 0 ? history_[i - 1] : first_;
+  }
   CurveHistory first_;
   std::vector<CurveHistory> history_;
 };

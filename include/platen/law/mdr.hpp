@@ -77,7 +77,7 @@ struct Mdr {
       const double a = std::sqrt(gamma / pair.A), slope = 2 * pair.E_star * a;
       return {gamma * slope / 1.5, slope, a, 1.5, 0.5};
     }
-    const double all = gamma * pair.x_per_gamma, x = smaller(all, x_valid);
+    const double all = gamma * pair.x_per_gamma, x = smaller(all, double(x_valid));
     const double a2 = x * (2 - x) + c, p = p_Y(x), scale = std::numbers::pi * flat.R * flat.R;
     const double slope = scale * ((2 - 2 * x) * p - 4.4 * a2 * (p - sigma_y));
     return {scale * a2 * p + slope * (all - x), slope * pair.x_per_gamma, flat.R * std::sqrt(a2), 2, 0};
@@ -114,7 +114,8 @@ struct Mdr {
 
   [[nodiscard]] PLATEN_FUNCTION double work(double gamma) const {
     if (gamma <= gamma_elastic) return 0.4 * gamma * loading(gamma).F;
-    const double x_Y = gamma_elastic * pair.x_per_gamma, x = smaller(gamma * pair.x_per_gamma, x_valid);
+    const double x_Y = gamma_elastic * pair.x_per_gamma,
+                 x = smaller(gamma * pair.x_per_gamma, double(x_valid));
     double W = 0.4 * gamma_elastic * loading(gamma_elastic).F +
                std::numbers::pi * flat.R * flat.R * sigma_y * work_bar(x_Y, x - x_Y) / pair.x_per_gamma;
     const double more = gamma - x_valid / pair.x_per_gamma;
@@ -135,7 +136,7 @@ struct Mdr {
 
   [[nodiscard]] PLATEN_HOT Unloading<double> unloading(double gamma, const Loading<double>& peak) const {
     if (gamma <= gamma_elastic) return {0, 1.5}; // never followed: elastic
-    const double x = smaller(gamma * pair.x_per_gamma, x_valid);
+    const double x = smaller(gamma * pair.x_per_gamma, double(x_valid));
     const double rate = flat.delta_per_gamma / recovered(x, peak.a);
     const double least = variant == MdrVariant::stiffened ? least_rate / gamma : 0;
     return {larger(rate, least), 0.75 * std::numbers::pi - 1}; // the curve returns 4/(3 pi) F_max/rate
