@@ -16,7 +16,10 @@ nb::dict reproduce(const std::string& paper, const std::string& folder, bool fre
   std::vector<std::string> said;
   const auto papers = watched(callback, [&] {
     return reproduce::reproduce(
-        request, [&](double share, const std::string& what) { return callback(share, what); },
+        request,
+        [&](const std::string& stage, double share, const std::string& note) {
+          return callback(share, stage + ", " + note);
+        },
         [&](const std::string& sentence) { said.push_back(sentence); });
   });
   nb::list rows, found;

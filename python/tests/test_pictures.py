@@ -95,7 +95,7 @@ def test_a_paper_is_reproduced_as_by_the_command(command, monkeypatch):
     seen = []
     found = platen.reproduce("wang", folder="ours", progress=lambda share, what: seen.append((share, what)))
     words = subprocess.run([command, "reproduce", "wang", "-o", "theirs"], check=True, capture_output=True, text=True).stdout
-    assert words == str(found) + "page in theirs/index.html\n" and seen[-1] == (1, "figures")
+    assert words == str(found) + "page in theirs/index.html\n" and seen[-1] == (1, "the page, figures")
     assert open("ours/numbers.csv").read() == open("theirs/numbers.csv").read() and found.page == "ours/index.html"
     assert found.papers["rows"].tolist() == [len(found.rows)] and {"reproduced", "differs"} <= set(found.rows["verdict"])
 

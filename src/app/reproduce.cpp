@@ -18,16 +18,30 @@ struct Options {
   int workers = 1;
 };
 
+/// A bar for each stage.
+class Stages {
+ public:
+  void show(const std::string& stage, double share, const std::string& note) {
+    if (stage != stage_) bar_.emplace(stage);
+    stage_ = stage;
+    bar_->show(share, note);
+  }
+
+ private:
+  std::string stage_;
+  std::optional<core::Progress> bar_;
+};
+
 void reproduce_papers(const Options& o) {
-  std::optional<core::Progress> progress("reproducing " + o.paper);
+  std::optional<Stages> stages(std::in_place);
   const auto papers = reproduce::reproduce(
       {o.paper, o.folder, o.fresh, o.workers, o.previous},
-      [&](double share, const std::string& what) {
-        progress->show(share, what);
+      [&](const std::string& stage, double share, const std::string& note) {
+        stages->show(stage, share, note);
         return !core::interrupted();
       },
       core::say_line);
-  progress.reset(); // its line ends before the table
+  stages.reset(); // its line ends before the table
   fmt::print("{}page in {}\n", words_of(papers), (std::filesystem::path(o.folder) / "index.html").string());
 }
 

@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 
 using Say = std::function<void(const std::string&)>;
 
-void show_or_stop(const Show& show, double share, const std::string& what) {
-  if (!show(share, what)) throw core::Interrupted("stopped as asked; the page is not whole");
+void show_or_stop(const Show& show, double share, const std::string& note) {
+  if (!show("the page", share, note)) throw core::Interrupted("stopped as asked; the page is not whole");
 }
 
 /// Presses a pool again: DIR/pools/NAME with runs.csv and curves.csv, on the grid that the catalogue's has.
@@ -34,8 +34,8 @@ void press_pool(const Data& data, const std::string& name, const fs::path& folde
   study::Store store(folder / "store" / name, study.name);
   store.open_for_writing(study::OldRuns::recompute);
   study::work(study, store, workers, [&](const study::Tally& t) {
-    (void)show(static_cast<double>(t.done + t.failed) / t.runs,
-               fmt::format("pool {}, {} of {} runs", name, t.done + t.failed, t.runs));
+    (void)show("pool " + name, static_cast<double>(t.done + t.failed) / t.runs,
+               fmt::format("{} of {} runs, {} failed", t.done + t.failed, t.runs, t.failed));
   });
   const fs::path target = folder / "pools" / name;
   core::prepare_folder(target);
@@ -52,7 +52,7 @@ void press_alone(const fs::path& card, const fs::path& target, const Show& show,
   const core::OutputFolder folder(unfinished);
   const auto c = press::read_case(card.string());
   const auto result = press::press(c, [&](double fraction, const press::CurvePoint& point) {
-    return show(fraction, fmt::format("pressing {}, delta_bar = {:.3f}", c.material.name, point.delta_bar));
+    return show("pressing " + c.material.name, fraction, fmt::format("delta_bar = {:.3f}", point.delta_bar));
   });
   if (result.interrupted) throw core::Interrupted("stopped as asked; the page is not whole");
   plot::write_press(c, result, folder, plot::Fields::pictures);

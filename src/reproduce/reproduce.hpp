@@ -20,8 +20,9 @@ struct Request {
       previous; ///< numbers.csv of an earlier page; empty: the one in the folder, else the catalogue's
 };
 
-/// How far it is: the share that is done of what is going on, and what that is. False stops it.
-using Show = std::function<bool(double share, const std::string& what)>;
+/// How far it is: what is going on ("pool wang"), the share of it that is done, and where it is ("3 of 162
+/// runs"). False stops it.
+using Show = std::function<bool(const std::string& stage, double share, const std::string& note)>;
 
 /// Writes the page and gives its papers. `say` is told what has to be read. InvalidInput for an unknown
 /// paper, and for what the catalogue lacks; IoError; Interrupted.
