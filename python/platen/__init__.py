@@ -15,15 +15,31 @@ from ._core import engine
 from ._core import version as __version__
 from ._errors import ConvergenceError, Error, InvalidInput, IoError, Warning
 from ._law import Law, LawError, LawInfo, Validity, law, laws
-from ._material import Material, dpc, drucker_prager, elastic, materials, mohr_coulomb, vmdc, von_mises
+from ._material import (
+    Material,
+    dpc,
+    drucker_prager,
+    elastic,
+    keys,
+    materials,
+    mohr_coulomb,
+    vmdc,
+    von_mises,
+    yield_from_crushing,
+    yield_from_hardness,
+)
 from ._measured import Calibration, Measurement, calibrate, fit, import_curve
+from ._pool import Beside, Methods, Pool, PoolCheck, Refinement, Sensitivity, Surrogate
 from ._press import ZONES, Curve, Press, press
+from ._reproduce import Reproduction, reproduce
 from ._study import Study, StudyStatus
 
 __all__ = [
     "BRANCHES", "CALIBRATED_LAWS", "QUANTITIES", "ZONES",
-    "Calibration", "Comparison", "Contact", "ConvergenceError", "Curve", "Error", "InvalidInput", "IoError", "Law", "LawError",
-    "LawInfo", "Material", "Measurement", "Press", "Response", "State", "Study", "StudyStatus", "Validity", "Warning",
-    "calibrate", "compare", "dpc", "drucker_prager", "elastic", "engine", "fit", "import_curve", "law", "laws", "materials",
-    "mohr_coulomb", "press", "vmdc", "von_mises", "__version__",
+    "Beside", "Calibration", "Comparison", "Contact", "ConvergenceError", "Curve", "Error", "InvalidInput", "IoError", "Law",
+    "LawError", "LawInfo", "Material", "Measurement", "Methods", "Pool", "PoolCheck", "Press", "Refinement", "Reproduction",
+    "Response", "Sensitivity", "State", "Study", "StudyStatus", "Surrogate", "Validity", "Warning",
+    "calibrate", "compare", "dpc", "drucker_prager", "elastic", "engine", "fit", "import_curve", "keys", "law", "laws",
+    "materials", "mohr_coulomb", "press", "reproduce", "vmdc", "von_mises", "yield_from_crushing", "yield_from_hardness",
+    "__version__",
 ]  # fmt: skip

@@ -75,6 +75,8 @@ def compare(
     material: Material | str | None = None,
     ranges: Iterable[float] = (),
     radius: float | None = None,
+    picture: str | os.PathLike[str] = "",
+    title: str = "",
     **parameters: Any,
 ) -> Comparison:
     """How far laws, or other curves, are from a curve, on a rigid plane.
@@ -82,7 +84,8 @@ def compare(
     `laws` is one, a list, or a dictionary of names: a `Law`, a `Curve`, the path of a card or of a curve (.csv), or the name of
     a law, also "LAW/VARIANT". What such a law needs it takes from its card, else from the curve, the `material` and
     `parameters` (keys of `platen.laws()`, in SI). `ranges` are ends of ranges of delta/R that are ranked one by one; `radius`
-    [m] is that of measured curves."""
+    [m] is that of measured curves. `picture` draws what `platen compare` draws, .svg or .png, under a `title`; it needs
+    gnuplot."""
     text, label = _curve(reference, radius)
     items: list[tuple[str, Any]] = []
     for i, (name, item) in enumerate(_named(laws)):
@@ -98,7 +101,7 @@ def compare(
     known = {p["key"] for entry in _core.laws() for p in entry["parameters"]}
     texts = {(key := key_of(keyword, known)): parameter_text(key, value) for keyword, value in parameters.items()}
     found = _core.compare(text, label, radius, items, material._card if material else None, texts,
-                          [float(end) for end in ranges])  # fmt: skip
+                          [float(end) for end in ranges], os.fspath(picture), title)  # fmt: skip
     tell(found["warnings"])
     return Comparison(found)
 

@@ -139,12 +139,12 @@ class Contact:
         """delta/R of an overlap, over that overlap [1/m]."""
         return self._core.delta_bar_per_overlap
 
-    def __call__(self, overlap: npt.ArrayLike) -> Response:
+    def __call__(self, overlap: npt.ArrayLike, *, exact: bool = False) -> Response:
         """One contact, from its first touch along a way of overlaps [m]; the memory is carried along, as in
-        `platen eval`."""
+        `platen eval`. `exact`: by the formulas of the law instead of the table that contact loops run, 1e-4 from them."""
         array = floats(overlap, "overlap")
         arrays = _empty(array.size, QUANTITIES)
-        self._core.follow(np.atleast_1d(array), **arrays)
+        self._core.follow(np.atleast_1d(array), **arrays, exact=exact)
         if array.ndim == 0:
             arrays = {name: values[0] for name, values in arrays.items()}
         return Response(array, **arrays)

@@ -10,7 +10,10 @@ class Error(Exception):
 
 
 class InvalidInput(Error, ValueError):
-    """Something that was given is not admissible; the sentence says what, and what is allowed."""
+    """Something that was given is not admissible; the sentence says what, and what is allowed. Where runs of a pool came out
+    different, `check` is what was found."""
+
+    check: Any = None
 
 
 class ConvergenceError(Error, ArithmeticError):

@@ -53,14 +53,23 @@ class Law:
     >>> contact = law.pair(radius=0.5e-3)
     """
 
-    __slots__ = ("_card", "curve", "near")
+    __slots__ = ("_card", "curve", "near", "prediction")
 
-    def __init__(self, card: _core.LawCard, curve: Curve | None = None, near: list[str] | None = None) -> None:
+    def __init__(
+        self,
+        card: _core.LawCard,
+        curve: Curve | None = None,
+        near: list[str] | None = None,
+        prediction: Record | None = None,
+    ) -> None:
         self._card = card
         self.curve = curve
         """the curve that it was fitted to, where it was made in this session"""
         self.near = near or []
         """of a predicted law: the materials that say most about it"""
+        self.prediction = prediction
+        """of a predicted law: pool, verdict, reasons, expected_error, and over delta_bar the curve F_bar with band_90, half the 90 %
+        band of its logarithm, and a_bar; alpha and beta at unload_delta_bar; of rock F_y_over_F, a, b, m, n"""
 
     @classmethod
     def load(cls, what: str | os.PathLike[str]) -> Law:
@@ -125,6 +134,21 @@ class Law:
         core = _core.Contact.on_plane(self._card, _radius(radius, "radius"))
         return Contact(core, (self, "on_plane", {"radius": radius}))
 
+    def initial_yield(self, radius: float, *, against: str = "sphere", **partner: Any) -> Record:
+        """Where a geomaterial (law "wang") starts to yield, two spheres of this radius [m] or, `against="plane"`, one on a rigid
+        plane, as `platen laws wang -p`: F_y_N, force on the axis; gamma_y_m, approach of the centres; depth_over_a, depth of
+        first yield over the contact radius; p0_Pa, peak pressure; F_y_edge_N, where the edge of the contact yields. `partner`
+        says what is other of the second body: radius2, E2 [Pa], nu2."""
+        more = {"radius_m": parameter_text("radius", _radius(radius, "radius"))}
+        for keyword, value in partner.items():
+            key = key_of(keyword, ("radius2_m", "E2_Pa", "nu2"))
+            more[key] = parameter_text(key, value)
+        if against not in ("sphere", "plane"):
+            raise InvalidInput(f"against = {against!r} is neither sphere nor plane")
+        if against == "plane":
+            more["against"] = "plane"
+        return Record(_core.initial_yield(self._card, more))
+
     def to_lammps(
         self,
         *others: Law,
@@ -185,7 +209,7 @@ class Law:
         return hash(self._card.identity)
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return _law, (self.text, self._card.file, self.curve, self.near)
+        return _law, (self.text, self._card.file, self.curve, self.near, self.prediction)
 
     def __repr__(self) -> str:
         return f"<Law {self._title()}>"
@@ -212,10 +236,10 @@ class Law:
         return law_html(self)
 
 
-def _law(text: str, file: str, curve: Curve | None, near: list[str]) -> Law:
+def _law(text: str, file: str, curve: Curve | None, near: list[str], prediction: Record | None = None) -> Law:
     card = _core.LawCard.parse(text, file or "a pickled law")
     card.file = file
-    return Law(card, curve, near)
+    return Law(card, curve, near, prediction)
 
 
 def law(name: str, variant: str = "", **parameters: Any) -> Law:

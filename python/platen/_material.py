@@ -17,6 +17,8 @@ from ._press import ZONES, Press, press_case
 if TYPE_CHECKING:
     import numpy.typing as npt
 
+    from ._pool import Sensitivity
+
 
 class Material:
     """A material card.
@@ -30,7 +32,7 @@ class Material:
     def __init__(self, card: _core.MaterialCard, remarks: list[str] | None = None) -> None:
         self._card = card
         self.remarks = remarks or []
-        """of a material from a deck: how it was read"""
+        """of a material from a deck, or from compaction: how it was read"""
 
     @classmethod
     def load(cls, what: str | os.PathLike[str]) -> Material:
@@ -55,6 +57,23 @@ class Material:
         card, said, left_over, doubts = _core.from_deck(os.fspath(deck), units, material, rho_r0, despite_doubts)
         tell([f"without counterpart: {line}" for line in left_over] + [f"doubted: {doubt}" for doubt in doubts])
         return cls(card, said)
+
+    @classmethod
+    def from_compaction(
+        cls,
+        test: str | os.PathLike[str],
+        strengths: str | os.PathLike[str],
+        *,
+        rho_r0: float,
+        model: str = "vmdc",
+        name: str = "",
+    ) -> Material:
+        """A porous material, "vmdc" or "dpc", from die compaction and tablet strengths, as `platen compaction`. `test`: a CSV
+        with rho_r, axial_stress_MPa, radial_stress_MPa (or _Pa, _kPa) in the order of the test; `strengths`: rho_r,
+        compressive_strength_MPa (uniaxial), tensile_strength_MPa (diametral) of tablets; `rho_r0`: relative density of the
+        granules that will be pressed. `remarks` are the lines of the command, `sources` say what each number is from."""
+        card, found = _core.from_compaction(os.fspath(test), os.fspath(strengths), float(rho_r0), model, name)
+        return cls(card, found["words"].splitlines())
 
     def to_abaqus(self, units: str) -> str:
         """The material as a section of an input file of Abaqus, in these units (those of `from_abaqus`). What Abaqus lacks is a
@@ -120,12 +139,12 @@ class Material:
     ) -> Law:
         """Its law at once, from materials that were pressed: "pressed", "edmans-sinka"; of rock (drucker-prager) "wang"; none:
         "pressed", of rock "wang". `law.error.l2` is what is expected of it,
-        `law.provenance.verdict` whether it lies inside of them, `law.near` the nearest. Outside it is refused, unless
+        `law.provenance.verdict` whether it lies inside of them, `law.near` the nearest, `law.prediction` the rest. Outside it is refused, unless
         `extrapolate` allows to guess. Of a powder a press on few elements comes first, 0.2 s; `quick` leaves it out and is
         less sure."""
-        card, said, near = _core.predict(self._card, law, variant, quick, extrapolate)
+        card, said, near, found = _core.predict(self._card, law, variant, quick, extrapolate)
         tell(said)
-        return Law(card, near=near)
+        return Law(card, near=near, prediction=Record(found))
 
     def point(
         self,
@@ -136,6 +155,7 @@ class Material:
         compaction: float = 0.0,
         steps: int = 100,
         moduli: str = "implicit",
+        picture: str | os.PathLike[str] = "",
     ) -> Any:
         """Leads one material point along a way: "isotropic", "uniaxial-strain", "triaxial", "shear"; the path of a CSV with
         eps_1,eps_2,eps_3; or an array (n, 3) of principal logarithmic strains, extension positive, each row a state.
@@ -144,9 +164,10 @@ class Material:
         positive (triaxial); `compaction` the logarithmic volume lost before (shear); `moduli` "implicit" or "after-step". One
         row a step, the start first: step, eps_1 .. 3, sigma_1_Pa .. 3, p_Pa (tension positive), q_Pa, phi (state variable of the
         model), rho_r, zone. A structured array: `table["q_Pa"]`. ConvergenceError where a step is refused; its attribute
-        `points` is the way until then."""
+        `points` is the way until then. `picture` draws the way and the yield surface, .svg or .png; it needs gnuplot."""
         name, rows = _way(way)
-        numbers, zones, refusal = _core.walk(self._card, name, rows, strain, lateral, compaction, steps, moduli)
+        numbers, zones, refusal = _core.walk(self._card, name, rows, strain, lateral, compaction, steps, moduli,
+                                             os.fspath(picture))  # fmt: skip
         numbers = numbers.reshape(len(zones), -1)
         columns: list[tuple[str, Any]] = [("step", np.arange(len(zones)))]
         columns += [(key, numbers[:, i]) for i, key in enumerate(_POINT_COLUMNS)]
@@ -169,7 +190,7 @@ class Material:
         """A virtual press: "simple", "local", "die", "hydrostatic" or "triaxial"; `radius` in m.
 
         The keys of a case card are keywords: `delta_bar_max`, `unload_from`, `reload`, `elements`, `step_max`,
-        `fields_at`, ...; `platen press --keys` prints them all. `progress=True` draws a bar; a function is called with the
+        `fields_at`, ...; `platen.keys("case")` is a page of them all. `progress=True` draws a bar; a function is called with the
         fraction done, delta/R and force [N]. `estimate_error` presses a coarser mesh too. Ctrl-C ends it."""
         sections: dict[str, dict[str, Any]] = {"path": {}, "mesh": {}, "output": {}}
         for keyword, value in path.items():
@@ -191,11 +212,13 @@ class Material:
         force_max: float | None = None,
         progress: bool | Callable[[float, float, float], Any] = False,
         estimate_error: bool = False,
+        folder: str | os.PathLike[str] = "",
     ) -> Law:
         """Its law by the main way: a press and a fit. "pressed" is the curve itself, "edmans-sinka" its published form,
         "wang" that of small contacts in stiff grains (`force_max` [N] is for it). Pressed to delta/R = `delta_bar_max`, by
         default 0.5; unloaded from `unload_from`, by default at five places. The law does not depend on `radius` [m].
-        `law.curve` is the curve."""
+        `law.curve` is the curve. `folder`: where to leave what `platen derive` does, cards, curve, pictures (charts need
+        gnuplot)."""
         if law not in ("pressed", "edmans-sinka", "wang"):
             raise InvalidInput(f"law {law!r}: there is no such law to derive; there are pressed, edmans-sinka, wang")
         places = None if unload_from is None else [float(x) for x in unload_from]
@@ -206,7 +229,20 @@ class Material:
                 raise InvalidInput("force_max is for the law wang; give delta_bar_max")
             end = 0.5 if delta_bar_max is None else delta_bar_max
             case = _core.simple_case(self._card, radius, end, elements, places)
-        return press_case(case, "the case", progress, estimate_error).fit(law, variant=variant)
+        pressed = press_case(case, "the case", progress, estimate_error)
+        if os.fspath(folder):
+            pressed._pressed.save_derivation(law, variant, os.fspath(folder))
+        return pressed.fit(law, variant=variant)
+
+    def sobol(self, *, within: float = 0.2, picture: str | os.PathLike[str] = "") -> Sensitivity:
+        """Which of its numbers matters: Sobol indices of force and energies through the surrogates of the catalogue, as each
+        number goes `within` so much of itself to either side, as far as the pool reaches. `picture` draws them, .svg or .png; it
+        needs gnuplot."""
+        from ._pool import Sensitivity
+
+        found = _core.sobol(self._card, float(within), os.fspath(picture))
+        found["numbers"] = [Record(number) for number in found["numbers"]]
+        return Sensitivity(found)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Material) and self.text == other.text
@@ -269,6 +305,27 @@ def _material(text: str, file: str, remarks: list[str]) -> Material:
 def materials() -> list[str]:
     """Names of the materials of the catalogue, for `Material.load`."""
     return _core.card_names("materials")
+
+
+def yield_from_hardness(*, E: float, nu: float, hardness: float) -> float:
+    """Yield stress [Pa] of a perfectly plastic metal from its indentation hardness [Pa], H = 2.8 sigma_y (Tabor), as `platen
+    predict --hardness_Pa`. InvalidInput where the indentation cannot be fully plastic."""
+    return float(_core.yield_from_hardness(float(E), float(nu), float(hardness)))
+
+
+def yield_from_crushing(*, E: float, nu: float, force: float, overlap: float, radius: float) -> float:
+    """Yield stress [Pa] of a perfectly plastic metal for a sphere of `radius` [m] to carry `force` [N] between two plates at the
+    `overlap` [m] of each, half of what they came together, as `platen predict --crush_force_N`. InvalidInput where none
+    does."""
+    return float(_core.yield_from_crushing(float(E), float(nu), float(force), float(overlap), float(radius)))
+
+
+def keys(of: str) -> str:
+    """Every key of a card, as Markdown: of a "material", a "case" or a "study"."""
+    pages = {"material": _core.material_keys, "case": _core.case_keys, "study": _core.study_keys}
+    if of not in pages:
+        raise InvalidInput(f"there are no keys of {of!r}; there are those of a {', '.join(pages)}")
+    return pages[of]()
 
 
 def _made(model: str, name: str | None, hardening: Mapping[str, Any] | None, given: dict[str, Any]) -> Material:

@@ -7,6 +7,7 @@ import os
 import sys
 import time
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -161,6 +162,28 @@ class Press:
             write(paths[-1], text)
         return paths
 
+    def save(self, folder: str | os.PathLike[str]) -> None:
+        """Writes what `platen press` leaves in its folder: curve.csv, case.toml, summary.json, the pictures of the experiment
+        (zones.svg, ...; charts need gnuplot) and the files of VTK, in the place of those of an earlier press."""
+        self._pressed.save(os.fspath(folder))
+
+    def as_measured(
+        self,
+        file: str | os.PathLike[str],
+        *,
+        particles: int = 1,
+        noise: float = 0.01,
+        gap: float = 20e-6,
+        compliance: float = 0.0,
+        seed: int = 1,
+    ) -> str:
+        """Writes what an instrument would have written of this simple press, with loops where branches unload, as `platen press
+        --as-measured`; the path of the file, which `import_curve`, `fit` and `calibrate` read. `particles` each with a size and
+        a gap of its own; `noise` of the force, over the largest; `gap` of the platens before contact [m]; `compliance` of the
+        machine [m/N]; the same `seed`, the same file."""
+        write(file, self._pressed.as_measured(particles, noise, gap, compliance, seed))
+        return os.fspath(file)
+
     def fit(self, law: str = "pressed", *, variant: str = "published") -> Law:
         """The law of this curve: "pressed", "edmans-sinka", "wang", "agarwal" or "shahin"."""
         card, said = self._pressed.law(law, variant)
@@ -198,14 +221,8 @@ def press(
 
 
 def press_case(text: str, file: str, progress: bool | Callable[[float, float, float], Any], estimate_error: bool) -> Press:
-    callback = Bar("pressing") if progress is True else progress or None
-    if callback is not None and not callable(callback):
-        raise TypeError(f"progress is {type(progress).__name__}; it must be True or a function")
-    try:
+    with bar_of("pressing", progress, lambda bar: bar) as callback:
         pressed = _core.press(text, file, callback, estimate_error)
-    finally:
-        if isinstance(callback, Bar):
-            callback.close()
     done = Press(pressed)
     if pressed.failure is not None:
         failed = ConvergenceError(f"{pressed.failure}; what was pressed until then is the attribute press of this error")
@@ -237,9 +254,28 @@ class Bar:
         sys.stderr.write(bar)
         sys.stderr.flush()
 
+    def say(self, sentence: str) -> None:
+        """A line, where nobody knows how much is left."""
+        sys.stderr.write(f"{self._label}: {sentence}\n")
+        sys.stderr.flush()
+
     def close(self) -> None:
         if self._drawn:
             sys.stderr.write("\n")
+
+
+@contextmanager
+def bar_of(label: str, progress: Any, on: Callable[[Bar], Any]) -> Iterator[Any]:
+    """What long work calls: where `progress` is True what `on` makes of a bar, else the function that is given."""
+    bar = Bar(label) if progress is True else None
+    callback = on(bar) if bar else progress or None
+    if callback is not None and not callable(callback):
+        raise TypeError(f"progress is {type(progress).__name__}; it must be True or a function")
+    try:
+        yield callback
+    finally:
+        if bar:
+            bar.close()
 
 
 def _numbers(rows: list[list[str]], i: int) -> Any:

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Callable, Iterable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from . import _core
 from ._cards import Record, structured, tell
 from ._errors import InvalidInput
-from ._press import Bar, Curve
+from ._press import Bar, Curve, bar_of
+
+if TYPE_CHECKING:
+    from ._pool import Refinement, Surrogate
 
 Progress = bool | Callable[[int, int, int], Any]
 
@@ -63,6 +67,10 @@ class Study:
         over pairs of the product of 1/difference^2, to the power of 1/factors; Joseph, Gul & Ba 2015, eq. 5)."""
         return Record(zip(("min_distance", "min_distance_within", "maxpro"), self._study.spread()))
 
+    def beside(self, other: Study) -> Record:
+        """How the runs of another study over the same factors fill the ranges of this one, as `spread`."""
+        return Record(zip(("min_distance", "min_distance_within", "maxpro"), self._study.spread_beside(other._study)))
+
     def run(
         self, *, workers: int | None = None, progress: Progress = False, retry_failed: bool = False, old: str = ""
     ) -> StudyStatus:
@@ -72,17 +80,8 @@ class Study:
         engine pressed `old` says what becomes: "keep", or "recompute".
 
         ConvergenceError where every press failed; IoError where the store cannot be written."""
-        if workers is not None and int(workers) < 1:
-            raise InvalidInput(f"workers = {workers}: it must be a whole number in [1, 1024]")
-        bar = Bar("study " + self.name) if progress is True else None
-        callback = _on(bar) if bar else progress or None
-        if callback is not None and not callable(callback):
-            raise TypeError(f"progress is {type(progress).__name__}; it must be True or a function")
-        try:
-            tally, said = self._study.run(int(workers or 0), callback, retry_failed, old)
-        finally:
-            if bar:
-                bar.close()
+        with bar_of("study " + self.name, progress, counting) as callback:
+            tally, said = self._study.run(processes(workers), callback, retry_failed, old)
         tell(said)
         return StudyStatus(tally)
 
@@ -125,6 +124,35 @@ class Study:
         tell(f"{what}; the run was left out" for what in damaged)
         return copied
 
+    def batch_script(self, *, tasks: int = 16, slurm: Iterable[str] = ()) -> str:
+        """The batch script of a Slurm job array of so many tasks at most, each of which presses what is missing, with this
+        Python. `slurm`: options of sbatch, "--time=4:00:00"."""
+        return self._study.batch_script(_WORKER, int(tasks), list(slurm))
+
+    def submit(self, *, tasks: int = 16, slurm: Iterable[str] = (), old: str = "") -> str:
+        """Hands that script, which is kept as submit.sh in the store, to sbatch: what sbatch says, "Submitted batch job 12"; an
+        empty text where nothing is left to press. Store, card and this Python must be in folders that all nodes see; `status`
+        and `run` work beside the job. `old` as in `run`.
+
+        IoError where sbatch does not take it, or is not there."""
+        return self._study.submit(_WORKER, int(tasks), list(slurm), old)
+
+    def refine(
+        self,
+        surrogate: Surrogate | str | os.PathLike[str],
+        *,
+        target: float = 0.01,
+        most: int = 50,
+        file: str | os.PathLike[str] = "",
+    ) -> Refinement:
+        """Which of its runs to press next: those of which a surrogate (or its file, or the folder of its pool) is least sure,
+        until no curve is expected to be further off than `target`, `most` at most. They are written as a study, a card with its
+        table beside it: `file`, else STUDY-refined.toml beside this one."""
+        from ._pool import Refinement, Surrogate
+
+        known = surrogate if isinstance(surrogate, Surrogate) else Surrogate.load(surrogate)
+        return Refinement(_core.refine(self._study, known._surrogate, float(target), int(most), os.fspath(file)))
+
     def __repr__(self) -> str:
         return f"<Study {self.name}: {len(self)} runs, store {self.store}>"
 
@@ -136,9 +164,23 @@ def _study(card: str, store: str) -> Study:
     return Study.load(card, store=store)
 
 
-def _on(bar: Bar) -> Callable[[int, int, int], Any]:
+# A task of a job array: card and store follow.
+_WORKER = [
+    sys.executable,
+    "-c",
+    "import platen, sys; platen.Study.load(sys.argv[1], store=sys.argv[2]).run(workers=1)",
+]
+
+
+def processes(workers: int | None) -> int:
+    """0: one a processor."""
+    if workers is not None and int(workers) < 1:
+        raise InvalidInput(f"workers = {workers}: it must be a whole number in [1, 1024]")
+    return int(workers or 0)
+
+
+def counting(bar: Bar) -> Callable[[int, int, int], Any]:
     def show(done: int, failed: int, runs: int) -> None:
         bar.draw((done + failed) / max(runs, 1), f"{done + failed} of {runs} runs, {failed} failed")
 
     return show
-

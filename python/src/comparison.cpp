@@ -4,6 +4,8 @@
 
 #include "fit/comparison.hpp"
 #include "material/card.hpp"
+#include "plot/compare_picture.hpp"
+#include "plot/gnuplot.hpp"
 #include "press/curve_csv.hpp"
 
 namespace platen::python {
@@ -24,7 +26,8 @@ nb::dict dict_of(const fit::Trace& t) {
 
 nb::dict compare(const std::string& curve, const std::string& label, std::optional<double> radius,
                  const nb::list& items, const material::Card* material, const law::ParameterTexts& parameters,
-                 const std::vector<double>& ends) {
+                 const std::vector<double>& ends, const std::string& picture, const std::string& title) {
+  if (!picture.empty()) (void)plot::format_of(picture); // before any work
   fit::Question q;
   q.reference = curve_item(curve, label, radius);
   for (const auto& item : items) {
@@ -37,7 +40,11 @@ nb::dict compare(const std::string& curve, const std::string& label, std::option
   if (material) q.material = material->material;
   q.parameters = parameters;
   q.ends = ends;
-  const auto c = long_work([&] { return fit::compare(q); });
+  const auto c = long_work([&] {
+    auto found = fit::compare(q);
+    if (!picture.empty()) plot::compare_picture(q, found, title, picture);
+    return found;
+  });
   nb::list rows, traces;
   for (const auto& range : c.ranges)
     for (std::size_t k = 0; k < c.traces.size(); ++k) {
@@ -61,8 +68,8 @@ nb::dict compare(const std::string& curve, const std::string& label, std::option
 
 void add_comparison(nb::module_& m) {
   m.def("compare", &compare, nb::arg("curve"), nb::arg("label"), nb::arg("radius").none(), nb::arg("items"),
-        nb::arg("material").none(), nb::arg("parameters"), nb::arg("ends"),
-        "Deviations of laws (name, card) and curves (name, text) from a curve.");
+        nb::arg("material").none(), nb::arg("parameters"), nb::arg("ends"), nb::arg("picture"),
+        nb::arg("title"), "Deviations of laws (name, card) and curves (name, text) from a curve.");
 }
 
 } // namespace platen::python

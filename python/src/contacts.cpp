@@ -130,6 +130,16 @@ struct Sink {
   bool* in_range;
 };
 
+/// All but the force.
+inline void write_rest(const law::Response& now, const Contact& contact, const Sink& to, std::size_t i) {
+  if (to.stiffness) to.stiffness[i] = now.stiffness;
+  if (to.contact_radius) to.contact_radius[i] = now.contact_radius;
+  if (to.mean_pressure) to.mean_pressure[i] = now.mean_pressure;
+  if (to.dissipated_work) to.dissipated_work[i] = now.dissipated_work;
+  if (to.branch) to.branch[i] = static_cast<std::uint8_t>(now.branch);
+  if (to.in_range) to.in_range[i] = now.in_range && now.state.gamma_max <= contact.limit;
+}
+
 template <class T> T* pointer(const Wanted<T>& array, std::size_t count, const char* name) {
   if (!array) return nullptr;
   if (array->shape(0) != count)
@@ -149,13 +159,18 @@ void advance(const Contact& contact, const double* overlap, std::size_t count, l
     const law::Response now = law::evaluate(table, scale, memory, overlap[i]);
     memory = now.state;
     to.force[i] = now.force;
-    if constexpr (force_alone) continue;
-    if (to.stiffness) to.stiffness[i] = now.stiffness;
-    if (to.contact_radius) to.contact_radius[i] = now.contact_radius;
-    if (to.mean_pressure) to.mean_pressure[i] = now.mean_pressure;
-    if (to.dissipated_work) to.dissipated_work[i] = now.dissipated_work;
-    if (to.branch) to.branch[i] = static_cast<std::uint8_t>(now.branch);
-    if (to.in_range) to.in_range[i] = now.in_range && now.state.gamma_max <= contact.limit;
+    if constexpr (!force_alone) write_rest(now, contact, to, i);
+  }
+}
+
+/// One contact along its way, by the formulas.
+void advance_exactly(const Contact& contact, const double* overlap, std::size_t count, const Sink& to) {
+  law::State state;
+  for (std::size_t i = 0; i < count; ++i) {
+    const law::Response now = contact.law.formulas(state, overlap[i]);
+    state = now.state;
+    to.force[i] = now.force;
+    write_rest(now, contact, to, i);
   }
 }
 
@@ -168,19 +183,23 @@ void refuse_infinite(const double* overlap, std::size_t count) {
       throw InvalidInput(fmt::format("overlap {} is {}: overlaps must be finite numbers", i, overlap[i]));
 }
 
+Sink sink_of(std::size_t count, Array<double>& force, const Wanted<double>& stiffness,
+             const Wanted<double>& contact_radius, const Wanted<double>& mean_pressure,
+             const Wanted<double>& dissipated_work, const Wanted<std::uint8_t>& branch,
+             const Wanted<bool>& in_range) {
+  return {pointer<double>(force, count, "force"),
+          pointer(stiffness, count, "stiffness"),
+          pointer(contact_radius, count, "contact_radius"),
+          pointer(mean_pressure, count, "mean_pressure"),
+          pointer(dissipated_work, count, "dissipated_work"),
+          pointer(branch, count, "branch"),
+          pointer(in_range, count, "in_range")};
+}
+
 template <bool same>
 void advance_all(const Contact& contact, const Array<const double>& overlaps, law::State* states,
-                 Array<double> force, Wanted<double> stiffness, Wanted<double> contact_radius,
-                 Wanted<double> mean_pressure, Wanted<double> dissipated_work, Wanted<std::uint8_t> branch,
-                 Wanted<bool> in_range) {
+                 const Sink& sink) {
   const std::size_t count = overlaps.shape(0);
-  const Sink sink{pointer<double>(force, count, "force"),
-                  pointer(stiffness, count, "stiffness"),
-                  pointer(contact_radius, count, "contact_radius"),
-                  pointer(mean_pressure, count, "mean_pressure"),
-                  pointer(dissipated_work, count, "dissipated_work"),
-                  pointer(branch, count, "branch"),
-                  pointer(in_range, count, "in_range")};
   const double* overlap = overlaps.data();
   nb::gil_scoped_release free;
   refuse_infinite(overlap, count);
@@ -210,16 +229,22 @@ void step(const Contact& contact, Memory& memory, const Array<const double>& ove
     throw InvalidInput(
         fmt::format("{} overlaps for a state of {} contacts", overlaps.shape(0), memory.states.size()));
   if (!memory.checked) refuse_too_large(contact, memory);
-  advance_all<false>(contact, overlaps, memory.states.data(), force, stiffness, contact_radius, mean_pressure,
-                     dissipated_work, branch, in_range);
+  advance_all<false>(contact, overlaps, memory.states.data(),
+                     sink_of(overlaps.shape(0), force, stiffness, contact_radius, mean_pressure,
+                             dissipated_work, branch, in_range));
 }
 
 void follow(const Contact& contact, const Array<const double>& overlaps, Array<double> force,
             Wanted<double> stiffness, Wanted<double> contact_radius, Wanted<double> mean_pressure,
-            Wanted<double> dissipated_work, Wanted<std::uint8_t> branch, Wanted<bool> in_range) {
+            Wanted<double> dissipated_work, Wanted<std::uint8_t> branch, Wanted<bool> in_range, bool exact) {
+  const std::size_t count = overlaps.shape(0);
+  const Sink sink =
+      sink_of(count, force, stiffness, contact_radius, mean_pressure, dissipated_work, branch, in_range);
   law::State state;
-  advance_all<true>(contact, overlaps, &state, force, stiffness, contact_radius, mean_pressure,
-                    dissipated_work, branch, in_range);
+  if (!exact) return advance_all<true>(contact, overlaps, &state, sink);
+  nb::gil_scoped_release free;
+  refuse_infinite(overlaps.data(), count);
+  advance_exactly(contact, overlaps.data(), count, sink);
 }
 
 } // namespace
@@ -262,7 +287,8 @@ void add_contacts(nb::module_& m) {
            "One step of many contacts; fills the arrays that are given.")
       .def("follow", &follow, nb::arg("overlap"), nb::arg("force").noconvert(), wanted("stiffness"),
            wanted("contact_radius"), wanted("mean_pressure"), wanted("dissipated_work"), wanted("branch"),
-           wanted("in_range"), "One contact from its first touch along a way.");
+           wanted("in_range"), nb::arg("exact") = false,
+           "One contact from its first touch along a way; exact: by the formulas, not by their table.");
 }
 
 } // namespace platen::python

@@ -89,5 +89,7 @@ void add_press(nb::module_&);
 void add_measured(nb::module_&);
 void add_comparison(nb::module_&);
 void add_study(nb::module_&);
+void add_pools(nb::module_&);
+void add_reproduce(nb::module_&);
 
 } // namespace platen::python

@@ -7,6 +7,9 @@
 #include "dem/lammps_lines.hpp"
 #include "dem/law_table.hpp"
 #include "dem/two_parameters.hpp"
+#include "fit/initial_yield.hpp"
+
+#include <fmt/format.h>
 
 #include <cmath>
 #include <filesystem>
@@ -144,6 +147,24 @@ void add_laws(nb::module_& m) {
         return d;
       },
       nb::arg("card"), nb::arg("radius"), nb::arg("delta_bar"), "The nearest laws of two numbers.");
+  m.def(
+      "initial_yield",
+      [](const fit::LawCard& card, const law::ParameterTexts& more) {
+        if (card.law != "wang")
+          throw core::InvalidInput(
+              fmt::format("the initial yield is told of the law wang, and this is {}", card.law));
+        law::ParameterTexts texts = card.parameters;
+        for (const auto& [key, text] : more) texts[key] = text;
+        const auto y = fit::initial_yield(texts);
+        nb::dict d;
+        d["F_y_N"] = y.F_y_N;
+        d["gamma_y_m"] = y.gamma_y_m;
+        d["depth_over_a"] = y.depth_over_a;
+        d["p0_Pa"] = y.p0_Pa;
+        d["F_y_edge_N"] = y.F_y_edge_N;
+        return d;
+      },
+      nb::arg("card"), nb::arg("more"), "Where a geomaterial starts to yield.");
   m.def(
       "law_table",
       [](const fit::LawCard& card, double radius, const std::vector<double>& overlap) {

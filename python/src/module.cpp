@@ -83,4 +83,6 @@ NB_MODULE(_core, m) {
   python::add_measured(m);
   python::add_comparison(m);
   python::add_study(m);
+  python::add_pools(m);
+  python::add_reproduce(m);
 }

@@ -4,7 +4,9 @@
 
 #include "fit/derivation.hpp"
 #include "material/card.hpp"
+#include "measure/as_measured.hpp"
 #include "measure/fit_law.hpp"
+#include "plot/press_folder.hpp"
 #include "press/case_card.hpp"
 #include "press/curve_csv.hpp"
 #include "press/estimate.hpp"
@@ -131,6 +133,48 @@ nb::tuple law_of(const Pressed& pressed, const std::string& law, const std::stri
   return nb::make_tuple(std::move(card), said);
 }
 
+void save(const Pressed& pressed, const std::string& folder) {
+  nb::gil_scoped_release free;
+  plot::write_press(pressed.case_, pressed.result, core::OutputFolder(folder),
+                    plot::Fields::pictures_and_vtu);
+}
+
+/// What `platen derive` leaves in its folder; what has to be read.
+std::vector<std::string> save_derivation(const Pressed& pressed, const std::string& law,
+                                         const std::string& variant, const std::string& path) {
+  std::vector<std::string> said;
+  long_work([&] {
+    const auto& result = pressed.result;
+    const core::OutputFolder folder(path);
+    plot::write_press(pressed.case_, result, folder, plot::Fields::pictures);
+    if (law == "wang") plot::write_law(result.curve, fit::fit_wang(result.curve), folder);
+    else {
+      const auto say = [&](const std::string& sentence) { said.push_back(sentence); };
+      plot::write_laws(result.curve, fit::derive_laws(result, variant, say), law == "edmans-sinka", folder);
+    }
+  });
+  return said;
+}
+
+std::string as_measured(const Pressed& pressed, int particles, double noise, double gap, double compliance,
+                        std::int64_t seed) {
+  const auto& c = pressed.case_;
+  if (!std::holds_alternative<press::Simple>(c.experiment))
+    throw core::InvalidInput(
+        fmt::format("as_measured is for experiment = \"simple\", not \"{}\"", press::name_of(c.experiment)));
+  if (particles < 1 || particles > 1000)
+    throw core::InvalidInput(
+        fmt::format("particles = {}: it must be a whole number in [1, 1000]", particles));
+  for (const auto& [name, value, most] :
+       {std::tuple{"noise", noise, 0.5}, {"gap", gap, 1e30}, {"compliance", compliance, 1e30}})
+    if (!(value >= 0 && value <= most))
+      throw core::InvalidInput(fmt::format("{} = {}: it must be a number in [0, {}]", name, value, most));
+  if (seed < 0) throw core::InvalidInput(fmt::format("seed = {}: it must not be below 0", seed));
+  const measure::Instrument instrument{.gap_m = gap, .noise = noise, .compliance_m_per_N = compliance};
+  return measure::raw_text(measure::batch(pressed.result.curve, particles, 2 * c.radius_m, instrument,
+                                          static_cast<std::uint64_t>(seed)));
+}
+
 std::string simple_case(const material::Card& card, double radius, double delta_bar_max,
                         std::optional<int> elements, const std::optional<std::vector<double>>& unload_from) {
   press::Simple e;
@@ -163,8 +207,14 @@ void add_press(nb::module_& m) {
           "Of force and contact radius against the limit of fine meshes, where it was asked for.")
       .def("fields", &all_fields, "One dictionary of arrays for each moment that was kept.")
       .def("vtu_files", &vtu_files, "Names and contents of the files of VTK.")
+      .def("save", &save, nb::arg("folder"), "What `platen press` leaves in its folder, pictures included.")
+      .def("save_derivation", &save_derivation, nb::arg("law"), nb::arg("variant"), nb::arg("folder"),
+           "What `platen derive` leaves in its folder; what is to be read.")
+      .def("as_measured", &as_measured, nb::arg("particles"), nb::arg("noise"), nb::arg("gap"),
+           nb::arg("compliance"), nb::arg("seed"), "What an instrument would have written of it.")
       .def("law", &law_of, nb::arg("law"), nb::arg("variant"),
            "The card of a law of this curve, and what is to be read.");
+  m.def("case_keys", &press::case_reference, "Every key of a case card, as Markdown.");
   m.def("press", &run, nb::arg("case_text"), nb::arg("file"), nb::arg("progress").none(),
         nb::arg("estimate_error"),
         "Presses a case; `progress` is called with the fraction done, delta/R and force after each step.");

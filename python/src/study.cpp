@@ -1,53 +1,21 @@
 // Studies: many presses, kept in a store.
 
-#include "core.hpp"
+#include "study.hpp"
 
 #include "core/file.hpp"
+#include "core/parallel.hpp"
 #include "study/derived.hpp"
 #include "study/design.hpp"
-#include "study/spread.hpp"
+#include "study/submit.hpp"
 #include "study/table.hpp"
 #include "study/work.hpp"
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <limits>
-#include <thread>
 
 namespace platen::python {
-namespace {
 
-/// A study and the folder of its runs.
-struct Study {
-  study::Study study;
-  std::filesystem::path folder;
-
-  study::Store store() const { return {folder, study.name}; }
-};
-
-study::OldRuns old_runs(const std::string& word) {
-  if (word.empty()) return study::OldRuns::ask;
-  if (word == "keep") return study::OldRuns::keep;
-  if (word == "recompute") return study::OldRuns::recompute;
-  throw core::InvalidInput(fmt::format("old = {}: it must be keep or recompute", word));
-}
-
-nb::dict dict_of(const study::Tally& t, const study::Store& store) {
-  nb::dict failures, d;
-  for (const auto& key : t.failures) failures[key.c_str()] = store.failure(key);
-  d["runs"] = t.runs;
-  d["done"] = t.done;
-  d["failed"] = t.failed;
-  d["left"] = t.runs - t.done - t.failed;
-  d["claimed"] = store.claimed();
-  d["cpu_s"] = t.cpu_s;
-  d["wall_s"] = t.wall_s;
-  d["failures"] = failures;
-  return d;
-}
-
-/// Columns by their names: numbers as arrays, empty cells not-a-number; words as lists.
 nb::list columns_of(const study::Sheet& sheet) {
   nb::list columns;
   for (std::size_t j = 0; j < sheet.columns.size(); ++j) {
@@ -80,6 +48,35 @@ nb::list columns_of(const study::Sheet& sheet) {
     else columns.append(nb::make_tuple(name, array_of(numbers)));
   }
   return columns;
+}
+
+int processes(int workers) {
+  if (workers < 0 || workers > 1024)
+    throw core::InvalidInput(fmt::format("workers = {}: it must be a whole number in [1, 1024]", workers));
+  return workers == 0 ? core::processors() : workers;
+}
+
+namespace {
+
+study::OldRuns old_runs(const std::string& word) {
+  if (word.empty()) return study::OldRuns::ask;
+  if (word == "keep") return study::OldRuns::keep;
+  if (word == "recompute") return study::OldRuns::recompute;
+  throw core::InvalidInput(fmt::format("old = {}: it must be keep or recompute", word));
+}
+
+nb::dict dict_of(const study::Tally& t, const study::Store& store) {
+  nb::dict failures, d;
+  for (const auto& key : t.failures) failures[key.c_str()] = store.failure(key);
+  d["runs"] = t.runs;
+  d["done"] = t.done;
+  d["failed"] = t.failed;
+  d["left"] = t.runs - t.done - t.failed;
+  d["claimed"] = store.claimed();
+  d["cpu_s"] = t.cpu_s;
+  d["wall_s"] = t.wall_s;
+  d["failures"] = failures;
+  return d;
 }
 
 void check_step(double step) {
@@ -122,34 +119,38 @@ template <class Make> study::Sheet sheet_of(const Study& s, std::vector<std::str
 }
 
 nb::tuple run(const Study& s, int workers, nb::object progress, bool retry_failed, const std::string& old) {
-  if (workers < 0 || workers > 1024)
-    throw core::InvalidInput(fmt::format("workers = {}: it must be a whole number in [1, 1024]", workers));
-  if (workers == 0) workers = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  workers = processes(workers);
   auto store = s.store();
   Callback callback(std::move(progress));
   std::vector<std::string> said;
-  study::Tally tally;
-  try {
-    tally = long_work([&] {
-      store.open_for_writing(old_runs(old));
-      said = study::forget_damaged(s.study, store);
-      if (retry_failed)
-        for (const auto& key : study::tally(s.study, store).failures) store.forget(key);
-      study::work(s.study, store, workers,
-                  [&](const study::Tally& t) { callback(t.done, t.failed, t.runs); });
-      return study::tally(s.study, store);
-    });
-  } catch (const core::Interrupted&) {
-    callback.rethrow();
-    throw;
-  }
-  callback.rethrow();
+  const auto tally = watched(callback, [&] {
+    store.open_for_writing(old_runs(old));
+    said = study::forget_damaged(s.study, store);
+    if (retry_failed)
+      for (const auto& key : study::tally(s.study, store).failures) store.forget(key);
+    study::work(s.study, store, workers, counting(callback));
+    return study::tally(s.study, store);
+  });
   study::refuse_total_failure(s.study, store, tally);
   if (tally.failed > 0)
     said.push_back(fmt::format("{} of {} presses failed: status().failures gives the reasons, "
                                "run(retry_failed=True) presses them again",
                                tally.failed, tally.runs));
   return nb::make_tuple(dict_of(tally, store), said);
+}
+
+/// `program`: words of a command that presses what is missing of the card and store behind them.
+study::Job job_of(const Study& s, std::vector<std::string> program, int tasks,
+                  const std::vector<std::string>& options) {
+  if (tasks < 1 || tasks > 10000)
+    throw core::InvalidInput(fmt::format("tasks = {}: it must be a whole number in [1, 10000]", tasks));
+  for (const auto& path : {std::filesystem::path(s.study.file), s.folder})
+    program.push_back(std::filesystem::absolute(path).lexically_normal().string());
+  return {std::move(program), tasks, options};
+}
+
+std::vector<double> list_of(const study::Spread& s) {
+  return {s.min_distance, s.min_distance_within, s.maxpro};
 }
 
 } // namespace
@@ -200,13 +201,29 @@ void add_study(nb::module_& m) {
           nb::arg("step"))
       .def("export", &export_tables, nb::arg("runs"), nb::arg("curves"), nb::arg("variant"), nb::arg("step"))
       .def("design", [](const Study& s) { return columns_of(study::design_sheet(s.study)); })
-      .def("spread",
-           [](const Study& s) {
-             const auto points = study::points_of(s.study);
-             const auto cube = study::in_cube(s.study.factors, points, points);
-             const auto spread = study::spread(cube, study::categories(points));
-             return std::vector{spread.min_distance, spread.min_distance_within, spread.maxpro};
-           })
+      .def("spread", [](const Study& s) { return list_of(study::spread_of(s.study)); })
+      .def(
+          "spread_beside",
+          [](const Study& s, const Study& other) { return list_of(study::spread_of(other.study, s.study)); },
+          nb::arg("other"))
+      .def(
+          "batch_script",
+          [](const Study& s, const std::vector<std::string>& program, int tasks,
+             const std::vector<std::string>& options) {
+            return study::batch_script(s.study, s.store(), job_of(s, program, tasks, options));
+          },
+          nb::arg("program"), nb::arg("tasks"), nb::arg("options"))
+      .def(
+          "submit",
+          [](const Study& s, const std::vector<std::string>& program, int tasks,
+             const std::vector<std::string>& options, const std::string& old) {
+            const auto job = job_of(s, program, tasks, options);
+            return long_work([&] {
+              auto store = s.store();
+              return study::submit(s.study, store, job, old_runs(old));
+            });
+          },
+          nb::arg("program"), nb::arg("tasks"), nb::arg("options"), nb::arg("old"))
       .def(
           "merge",
           [](const Study& s, const std::vector<std::string>& folders, const std::string& old) {

@@ -278,6 +278,76 @@ def test_fuzz_exports(law, radius, delta_bar, friction):
             pass
 
 
+@quick
+@given(st.sampled_from(["radius", "radius2", "E2", "nu2", "against"]), anything)
+def test_fuzz_initial_yield(key, value):
+    rock = platen.law("wang", E=1e10, nu=0.15, phi=25, sigma_c=15e6)
+    try:
+        found = rock.initial_yield(**{"radius": 0.1, key: value})
+    except (platen.InvalidInput, TypeError):
+        return
+    assert all(np.isfinite(number) for number in found.values())
+
+
+@quick
+@given(numbers, numbers, numbers, numbers, numbers)
+def test_fuzz_yield_stresses(E, nu, one, other, radius):
+    for call in (lambda: platen.yield_from_hardness(E=E, nu=nu, hardness=one),
+                 lambda: platen.yield_from_crushing(E=E, nu=nu, force=one, overlap=other, radius=radius)):  # fmt: skip
+        try:
+            assert np.isfinite(call()) and call() > 0
+        except platen.InvalidInput:
+            pass
+
+
+@settings(quick, max_examples=100)
+@given(st.dictionaries(st.sampled_from(["share", "seed", "until", "workers", "cheapest", "progress"]), anything, max_size=4))
+def test_fuzz_checks_of_a_pool(tmp_path, keywords):
+    (tmp_path / "study.toml").write_text("platen = 1\n")
+    with pytest.raises((platen.InvalidInput, platen.IoError, TypeError, ValueError, OverflowError)):
+        platen.Pool(tmp_path).check(**keywords)
+
+
+@settings(quick, max_examples=100)
+@given(st.dictionaries(st.sampled_from(["tasks", "slurm"]), anything, max_size=2))
+def test_fuzz_jobs(tmp_path, keywords):
+    from test_study import CARD
+
+    (tmp_path / "study.toml").write_text(CARD)
+    try:
+        script = platen.Study.load(tmp_path / "study.toml").batch_script(**keywords)
+    except (platen.InvalidInput, TypeError, ValueError, OverflowError):
+        return
+    assert script.startswith("#!/bin/bash")
+
+
+@settings(quick, max_examples=100)
+@given(st.text(max_size=200), st.booleans())
+def test_fuzz_surrogates(text, of_rock):
+    from platen._pool import _surrogate
+
+    with pytest.raises(platen.InvalidInput):
+        _surrogate(text, "a text", of_rock)
+
+
+@settings(quick, max_examples=100)
+@given(st.dictionaries(st.sampled_from(["material", "free", "variant", "asked", "workers", "profiles", "confined", "store", "picture"]),
+                       anything, max_size=3))  # fmt: skip
+def test_fuzz_calibrations(keywords):
+    with pytest.raises((platen.InvalidInput, platen.IoError, TypeError, ValueError, OverflowError, AttributeError)):
+        platen.calibrate("nowhere.csv", "hertz", nu=0.3, **keywords)
+
+
+@settings(quick, max_examples=60)
+@given(arrays.arrays(np.float64, arrays.array_shapes(min_dims=0, max_dims=2, min_side=0, max_side=6)))
+def test_fuzz_exact_overlaps(law, overlap):
+    try:
+        force = law.pair(radius=1e-3)(overlap, exact=True).force
+    except platen.InvalidInput:
+        return
+    assert np.all(np.isfinite(force)) and np.all(force >= 0)
+
+
 def test_a_truncated_pickle_is_pythons_own_error(law):
     with pytest.raises(Exception):
         pickle.loads(pickle.dumps(law)[:-5])

@@ -1,4 +1,6 @@
 import csv
+import io
+import json
 import pickle
 import subprocess
 
@@ -183,3 +185,35 @@ def test_laws_of_two_numbers():
     plastic = platen.Material.load("von-mises-100").predict().to_parameters(radius=R)
     assert 0 < plastic.restitution < 0.5 and plastic.springs.k_2_N_per_m > 4 * plastic.springs.k_1_N_per_m
     assert plastic.restitutions[0][1] > plastic.restitutions[-1][1]
+
+
+def test_formulas_are_those_of_the_exact_command(law, command):
+    law.save("law.toml")
+    overlap = np.linspace(0, 2e-4, 21)
+    line = [command, "eval", "law.toml", "-p", "radius_m=1e-3", "--overlap", "0:2e-4:21", "--exact"]
+    theirs = np.genfromtxt(io.StringIO(subprocess.run(line, check=True, capture_output=True, text=True).stdout), delimiter=",",
+                           names=True, usecols=(0, 1, 2, 4))  # fmt: skip
+    contact = law.pair(radius=1e-3)
+    exact = contact(overlap, exact=True)
+    assert exact.force == pytest.approx(theirs["force_N"], rel=1e-12)
+    assert exact.stiffness == pytest.approx(theirs["stiffness_N_per_m"], rel=1e-12)
+    assert exact.force == pytest.approx(contact(overlap).force, rel=1e-3) and not np.array_equal(exact.force, contact(overlap).force)
+    with pytest.raises(platen.InvalidInput, match="overlap 0 is nan"):
+        contact(np.nan, exact=True)
+
+
+def test_initial_yield_is_that_of_the_command(command):
+    rock = platen.law("wang", E=1e10, nu=0.15, phi=25, sigma_c=15e6)
+    line = [command, "laws", "wang", "--json", "-p", "radius_m=0.1", "-p", "E_Pa=1e10", "-p", "nu=0.15", "-p", "phi_deg=25", "-p", "sigma_c_Pa=15e6"]
+    theirs = json.loads(subprocess.run(line, check=True, capture_output=True, text=True).stdout)
+    assert rock.initial_yield(0.1) == pytest.approx(theirs)
+    plane = rock.initial_yield(0.1, against="plane")
+    assert plane.gamma_y_m < theirs["gamma_y_m"] and rock.initial_yield(0.1, nu2=0.3).p0_Pa <= theirs["p0_Pa"]
+    for call, sentence in (
+        (lambda: platen.law("hertz", E=1e9, nu=0.3).initial_yield(1e-3), "this is hertz"),
+        (lambda: rock.initial_yield(-1), "radius"),
+        (lambda: rock.initial_yield(0.1, against="wall"), "neither sphere nor plane"),
+        (lambda: rock.initial_yield(0.1, colour=3), "colour"),
+    ):
+        with pytest.raises(platen.InvalidInput, match=sentence):
+            call()

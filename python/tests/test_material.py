@@ -1,5 +1,9 @@
+import json
+import pathlib
+import pickle
 import subprocess
 
+import numpy as np
 import pytest
 
 import platen
@@ -56,3 +60,51 @@ def test_section_of_a_rock():
     assert "flow_stress_ratio = 0.778" in platen.drucker_prager(**rock, flow_stress_ratio=0.778).text
     with pytest.raises(platen.InvalidInput, match="flow_stress_ratio"):
         platen.drucker_prager(**rock, flow_stress_ratio=0.7)
+
+
+def test_a_powder_from_compaction_is_that_of_the_command(command, tmp_path):
+    example = pathlib.Path(__file__).parents[2] / "examples/compaction.sh"
+    if not example.is_file():
+        pytest.skip("the source tree is not here")
+    words = subprocess.run([example, command, tmp_path], check=True, capture_output=True, text=True).stdout
+    powder = platen.Material.from_compaction("die.csv", "tablets.csv", rho_r0=0.45, model="dpc")
+    theirs = platen.Material.load("powder.toml")
+    assert powder == theirs and powder.sources == theirs.sources and "regression" in powder.sources["sigma_y_Pa"]
+    assert words.startswith("\n".join(powder.remarks))
+    assert powder.parameters.sigma_y_Pa == pytest.approx(9e6, rel=0.02)  # of the powder of the example
+    for call, sentence in (
+        (lambda: platen.Material.from_compaction("die.csv", "tablets.csv", rho_r0=2), "must be in"),
+        (lambda: platen.Material.from_compaction("die.csv", "tablets.csv", rho_r0=0.45, model="elastic"), "vmdc or dpc"),
+        (lambda: platen.Material.from_compaction("die.csv", "die.csv", rho_r0=0.45), "there is no column compressive_strength"),
+        (lambda: platen.Material.from_compaction("none.csv", "die.csv", rho_r0=0.45), "none.csv"),
+    ):
+        with pytest.raises(platen.InvalidInput, match=sentence):
+            call()
+
+
+@pytest.mark.parametrize("name", ["mcc-ph-200", "wang-type-1"])
+def test_what_is_known_of_a_prediction_is_what_the_command_says(name, command):
+    line = [command, "predict", name, "-o", "theirs.toml", "--json"]
+    theirs = json.loads(subprocess.run(line, check=True, capture_output=True, text=True).stdout)
+    law = platen.Material.load(name).predict()
+    for key, value in law.prediction.items():
+        assert theirs[key] == (pytest.approx(value) if isinstance(value, (float, np.ndarray)) else value), key
+    assert {"platen", "material", "nearest_runs", "left_out"} >= set(theirs) - set(law.prediction)
+    assert pickle.loads(pickle.dumps(law)).prediction.verdict == law.prediction.verdict
+
+
+def test_a_yield_stress_from_what_people_know(command):
+    line = [command, "predict", "--E_Pa", "2e9", "--nu", "0.3"]
+    subprocess.run([*line, "--hardness_Pa", "56e6", "-o", "hardness.toml"], check=True, capture_output=True)
+    sigma_y = platen.yield_from_hardness(E=2e9, nu=0.3, hardness=56e6)
+    assert sigma_y == pytest.approx(20e6)  # Tabor: H = 2.8 sigma_y
+    assert platen.von_mises(sigma_y=sigma_y, E=2e9, nu=0.3).predict().parameters.sigma_ref_Pa == pytest.approx(
+        platen.Law.load("hardness.toml").parameters.sigma_ref_Pa)  # fmt: skip
+    ball = platen.von_mises(sigma_y=20e6, E=2e9, nu=0.3).predict().on_plane(radius=1e-3)
+    found = platen.yield_from_crushing(E=2e9, nu=0.3, force=ball(1e-4).force, overlap=1e-4, radius=1e-3)
+    assert found == pytest.approx(20e6, rel=0.01)
+
+
+def test_keys_are_those_of_the_command(command):
+    for of, line in {"material": ["materials"], "case": ["press"], "study": ["study", "design"]}.items():
+        assert platen.keys(of) == subprocess.run([command, *line, "--keys"], check=True, capture_output=True, text=True).stdout

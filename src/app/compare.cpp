@@ -115,14 +115,8 @@ void compare(const Options& o) {
   const auto q = question_of(o);
   const auto c = fit::compare(q);
   for (const auto& warning : c.warnings) core::say_line("platen: warning: " + warning);
-  const press::Curve& curve = q.reference.curve;
-  if (!o.picture.empty()) {
-    fit::Reference named = c.reference;
-    if (!curve.experiment.empty()) named.trace.name = "press";
-    const auto& title = curve.material.empty() ? q.reference.label : curve.material;
-    plot::compare_picture(named, c.traces, o.title.empty() ? title : o.title, o.picture);
-  }
-  const std::string text = o.json ? json_of(c).dump(2) + "\n" : words_of(c, curve.material);
+  if (!o.picture.empty()) plot::compare_picture(q, c, o.title, o.picture);
+  const std::string text = o.json ? json_of(c).dump(2) + "\n" : words_of(c, q.reference.curve.material);
   if (o.output.empty()) fmt::print("{}", text);
   else core::write_file(o.output, text);
 }

@@ -3,7 +3,6 @@
 #include "app/fit_report.hpp"
 #include "app/press_into.hpp"
 #include "core/error.hpp"
-#include "core/file.hpp"
 #include "core/nearest.hpp"
 #include "core/say.hpp"
 #include "fit/derivation.hpp"
@@ -35,22 +34,20 @@ void derive_simple(const Options& o, const material::Material& material) {
   if (o.delta_bar_max) e.delta_bar_max = *o.delta_bar_max;
   const press::Case c = fit::simple_derivation(material, o.radius_m, e, unloading_list(o.unload_from));
 
-  const OutputFolder folder(o.folder);
-  const press::Result result = press_into(c, folder, Fields::pictures, o.estimate_error).result;
+  const core::OutputFolder folder(o.folder);
+  const press::Result result = press_into(c, folder, plot::Fields::pictures, o.estimate_error).result;
   print_flags(result);
-  const auto [law, pressed, law_card, pressed_card] = fit::derive_laws(result, o.variant, core::say_line);
+  const auto laws = fit::derive_laws(result, o.variant, core::say_line);
   const bool published_first = o.law == "edmans-sinka";
-  core::write_file(folder / (published_first ? "pressed.toml" : "law.toml"), text_of(pressed_card));
-  core::write_file(folder / (published_first ? "law.toml" : "edmans-sinka.toml"), text_of(law_card));
-  draw_fit(result.curve, law, folder / "curve.svg");
+  plot::write_laws(result.curve, laws, published_first, folder);
   if (o.json) {
-    fmt::print("{}", fit_json(result.curve, law, pressed));
+    fmt::print("{}", fit_json(result.curve, laws.fitted, laws.pressed));
     return;
   }
   const std::string at = folder.path().string();
   fmt::print("{}: pressed to delta_bar = {:.4g} in {:.1f} s; {}\n{}{}", c.material.name, e.delta_bar_max,
              result.statistics.total_s, press::tension_words(result.curve, c.material.tensile_strength),
-             fit_words(pressed), fit_words(law));
+             fit_words(laws.pressed), fit_words(laws.fitted));
   fmt::print("  law cards      {0}/law.toml ({1}), {0}/{2}\n  curve          {0}/curve.csv, with the law "
              "{0}/curve.svg\n"
              "  plastic zones  {0}/zones.svg\n  input, summary {0}/case.toml, {0}/summary.json\n",

@@ -3,11 +3,9 @@
 #include "app/press_into.hpp"
 #include "app/wang_report.hpp"
 #include "core/error.hpp"
-#include "core/file.hpp"
 #include "core/number.hpp"
 #include "core/say.hpp"
 #include "fit/derivation.hpp"
-#include "press/curve_csv.hpp"
 
 #include <fmt/format.h>
 
@@ -30,14 +28,12 @@ std::optional<std::vector<double>> unloading_list(const std::string& text) {
 void derive_local(const LocalDerivation& d) {
   const press::Case c = fit::local_derivation(
       d.material, d.radius_m, {d.delta_bar_max, d.force_max_N, unloading_list(d.unload_from)});
-  const OutputFolder folder(d.folder);
-  const press::Result result = press_into(c, folder, Fields::pictures).result;
+  const core::OutputFolder folder(d.folder);
+  const press::Result result = press_into(c, folder, plot::Fields::pictures).result;
   print_flags(result);
   const fit::WangFit fit = fit::fit_wang(result.curve);
   for (const auto& sentence : fit.notes) core::say_line(fmt::format("note: {}", sentence));
-  core::write_file(folder / "law.toml",
-                   text_of(fit::law_card(result.curve, fit, press::curve_csv(result.curve))));
-  draw_wang_fit(result.curve, fit, folder / "curve.svg");
+  plot::write_law(result.curve, fit, folder);
   if (d.json) {
     fmt::print("{}", wang_json(result.curve, fit));
     return;

@@ -1,6 +1,6 @@
 #include "app/export_dem_engine.hpp"
-#include "app/output_folder.hpp"
 #include "core/file.hpp"
+#include "core/output_folder.hpp"
 #include "dem/device_law.hpp"
 
 #include <fmt/format.h>
@@ -33,7 +33,7 @@ void add_export_dem_engine(Command command) {
   engine.footer("Example: platen export dem-engine mcc.toml --friction 0.3 --restitution 0.5 -o mcc-model");
   engine.callback([o] {
     const auto model = dem::engine_model(fit::find_law_card(o->law), o->restitution, o->friction);
-    const OutputFolder folder(o->folder);
+    const core::OutputFolder folder(o->folder);
     core::write_file(folder / "functions.cu", model.functions);
     core::write_file(folder / "model.cu", model.model);
     core::write_file(folder / "platen_model.py", model.use);

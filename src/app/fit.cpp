@@ -3,10 +3,10 @@
 #include "app/large_deformation_report.hpp"
 #include "app/measured_arguments.hpp"
 #include "app/wang_report.hpp"
-#include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/say.hpp"
 #include "measure/fit_law.hpp"
+#include "plot/measured/fitting_picture.hpp"
 
 #include <fmt/format.h>
 
@@ -30,12 +30,6 @@ measure::FitOptions options_of(const Options& o) {
           !o.card.empty()};
 }
 
-void draw(const measure::Fitting& fitting, const Options& o) {
-  if (const auto* wang = std::get_if<fit::WangFit>(&fitting.fit))
-    draw_wang_fit(fitting.curve, *wang, o.picture);
-  if (const auto* law = std::get_if<FittedLaw>(&fitting.fit)) draw_fit(fitting.curve, *law, o.picture);
-}
-
 /// Words, or JSON.
 struct Report {
   const press::Curve& curve;
@@ -52,16 +46,11 @@ struct Report {
 };
 
 void fit_curve(const Options& o) {
-  if (!o.picture.empty())
-    for (const std::string law : {"pressed", "agarwal", "shahin"})
-      if (o.law == law)
-        throw core::InvalidInput(
-            fmt::format("--picture: there is none of {} {}; platen compare draws law and curve",
-                        law == "pressed" ? "the law" : "a fit of", law));
+  if (!o.picture.empty()) plot::check_fitting_picture(o.law);
   const auto input = measure::read_curve(o.curve, curve_options_of(o.measured));
   const auto fitting = measure::fit_law(input, options_of(o), core::say_line);
   if (fitting.card) core::write_file(o.card, text_of(*fitting.card));
-  if (!o.picture.empty()) draw(fitting, o);
+  if (!o.picture.empty()) plot::fitting_picture(fitting, o.picture);
   fmt::print(report_stream(o.card), "{}", std::visit(Report{fitting.curve, o.json}, fitting.fit));
   for (const auto& flag : fitting.doubts) core::say_line("doubted: " + flag);
 }

@@ -1,7 +1,6 @@
 #include "app/fit_report.hpp"
 
 #include "core/version.hpp"
-#include "plot/curve_picture.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -130,14 +129,6 @@ std::string fit_json(const press::Curve& curve, const FittedLaw& law,
     json["error"]["unload_R2"] = each(law.unloading, &Unloading::r_squared);
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-void draw_fit(const press::Curve& curve, const FittedLaw& law, const std::filesystem::path& file) {
-  constexpr int intervals = 400;
-  std::vector<double> delta_bar(intervals + 1);
-  for (int i = 0; i <= intervals; ++i) delta_bar[i] = law.loading.delta_bar_max * i / intervals;
-  plot::curve_with_law(curve, delta_bar, law.loading.F_bar(delta_bar),
-                       fmt::format("edmans-sinka, {}", variant_of(law)), file, law.unloading.fits);
 }
 
 } // namespace platen::app

@@ -1,11 +1,10 @@
 #pragma once
-// A law fitted to a curve, told in words, as JSON, as a picture. What `fit` and `derive` share.
+// A law fitted to a curve, told in words and as JSON. What `fit` and `derive` share.
 
 #include "fit/fitted_law.hpp"
 #include "fit/pressed.hpp"
 #include "press/curve.hpp"
 
-#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -23,8 +22,5 @@ std::string fit_words(const fit::PressedFit&);
 /// A JSON object.
 std::string fit_json(const press::Curve&, const FittedLaw&, const std::optional<fit::PressedFit>& = {});
 std::string fit_json(const press::Curve&, const fit::PressedFit&);
-
-/// Curve, law and residual; the unloading branches with their law.
-void draw_fit(const press::Curve&, const FittedLaw&, const std::filesystem::path&);
 
 } // namespace platen::app

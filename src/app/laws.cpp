@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "core/nearest.hpp"
 #include "core/number.hpp"
+#include "fit/initial_yield.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -59,37 +60,17 @@ void print_law(const law::LawInfo& info) {
   fmt::print("\n  A second body that is not described is like the first.\n");
 }
 
-/// Where a geomaterial starts to yield: what Wang et al. tabulate (Table 3), and the edge, which they leave
-/// out.
 void print_initial_yield(const Options& options, bool as_json) {
   LawArguments arguments;
   arguments.law = "wang";
   arguments.parameters = options.parameters;
-  const auto texts = parameters_of(arguments);
-  (void)fit::make_law(card_of(arguments), texts); // refuses what is no geometry or material
-  const law::LawInfo& info = law::find_law("wang");
-  law::ParameterTexts second = texts;
-  if (texts.contains("E2_Pa")) second["E_Pa"] = texts.at("E2_Pa");
-  if (texts.contains("nu2")) second["nu"] = texts.at("nu2");
-  const law::Reader a(info, texts, "generic"), b(info, second, "generic");
-  const double R = a("radius_m"), R2 = a.given("radius2_m") ? a("radius2_m") : R;
-  const bool on_plane = a.word("against") == "plane";
-  const auto law = on_plane ? law::prepare_on_rigid_plane(law::WangMaterial::read(a), R)
-                            : law::prepare(law::WangMaterial::read(a), R, law::WangMaterial::read(b), R2);
-  // Of the two bodies the one that yields first; they share strength and friction.
-  const auto number = [&](const std::string& key) { return core::number_from(texts.at(key)).value(); };
-  const auto yield_of = [&](const std::string& nu) {
-    return law::drucker_prager_yield(number(nu), number("phi_deg"), number("sigma_c_Pa"));
-  };
-  auto yield = yield_of("nu");
-  if (texts.contains("nu2"))
-    if (const auto other = yield_of("nu2"); other.p0 < yield.p0) yield = other;
+  const auto y = fit::initial_yield(parameters_of(arguments));
   if (as_json) {
-    fmt::print("{}\n", Json{{"F_y_N", law.F_y},
-                            {"gamma_y_m", law.gamma_y},
-                            {"depth_over_a", yield.u},
-                            {"p0_Pa", yield.p0},
-                            {"F_y_edge_N", law.F_y_edge}}
+    fmt::print("{}\n", Json{{"F_y_N", y.F_y_N},
+                            {"gamma_y_m", y.gamma_y_m},
+                            {"depth_over_a", y.depth_over_a},
+                            {"p0_Pa", y.p0_Pa},
+                            {"F_y_edge_N", y.F_y_edge_N}}
                            .dump(2));
     return;
   }
@@ -98,9 +79,9 @@ void print_initial_yield(const Options& options, bool as_json) {
              "  u        {}   depth of first yield over the contact radius\n"
              "  p0       {} Pa   peak pressure there\n"
              "  edge     {} N   the edge of the contact yields{}\n",
-             core::number_text(law.F_y), core::number_text(law.gamma_y), core::number_text(yield.u),
-             core::number_text(yield.p0), core::number_text(law.F_y_edge),
-             law.F_y_edge < law.F_y ? ", before the axis does" : "");
+             core::number_text(y.F_y_N), core::number_text(y.gamma_y_m), core::number_text(y.depth_over_a),
+             core::number_text(y.p0_Pa), core::number_text(y.F_y_edge_N),
+             y.F_y_edge_N < y.F_y_N ? ", before the axis does" : "");
 }
 
 void laws(const Options& options) {

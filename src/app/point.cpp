@@ -1,20 +1,15 @@
 #include "app/commands.hpp"
-#include "app/output_folder.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/number.hpp"
+#include "core/output_folder.hpp"
 #include "material/card.hpp"
 #include "material/walk.hpp"
-#include "material/yield_curve.hpp"
-#include "plot/yield_picture.hpp"
+#include "plot/walk_picture.hpp"
 #include "plot/zone_map.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <iterator>
 #include <limits>
 #include <memory>
 
@@ -41,41 +36,6 @@ std::string csv_of(const material::Model& model, const Walk& w) {
   return text;
 }
 
-/// The surface at up to five states of the path, evenly apart.
-void draw(const material::Material& m, const Way& way, const Walk& w, const std::filesystem::path& file) {
-  plot::StressPath path;
-  double p_low = 0, p_high = 0, phi_first = 0, phi_last = 0;
-  for (const auto& point : w.points) {
-    path.p_q.push_back({point.last.p, point.last.q});
-    path.zones.push_back(point.last.zone);
-    p_low = std::min(p_low, point.last.p), p_high = std::max(p_high, point.last.p);
-    phi_first = std::min(phi_first, point.phi), phi_last = std::max(phi_last, point.phi);
-  }
-  const double size = material::reference_stress(m.model);
-  p_low -= 0.2 * (p_high - p_low) + (std::holds_alternative<material::Elastic>(m.model) ? 0 : size);
-  const bool porous =
-      std::holds_alternative<material::Vmdc>(m.model) || std::holds_alternative<material::Dpc>(m.model);
-  const auto* metal = std::get_if<material::VonMises>(&m.model);
-  const bool evolves =
-      porous || (metal && !std::holds_alternative<material::PerfectlyPlastic>(metal->hardening));
-  const int states = evolves && phi_last > phi_first ? 5 : 1;
-  std::vector<plot::NamedCurve> curves;
-  for (int i = 0; i < states; ++i) {
-    const double phi = states == 1 ? 0 : phi_first + (phi_last - phi_first) * i / (states - 1);
-    for (const auto& curve : material::yield_curves(m.model, phi, p_low, p_high)) {
-      const std::string state = porous ? fmt::format("ρᵣ = {:.3g}", material::relative_density(m.model, phi))
-                                : evolves ? fmt::format("εₚ = {:.3g}", phi)
-                                          : "yield";
-      curves.push_back({curve.name.empty() ? state : curve.name, curve.p_q});
-    }
-  }
-  plot::yield_picture(
-      curves, path,
-      fmt::format("{} ({}): {}", m.name, material::model_name(m.model),
-                  is_named(way) ? way.name : std::filesystem::path(way.name).filename().string()),
-      file);
-}
-
 void point(Options& o) {
   material::Material m = material::read_card(o.card).material;
   if (!o.model.empty()) m.model = material::run_as(m.model, o.model);
@@ -84,10 +44,10 @@ void point(Options& o) {
   const std::string csv = csv_of(m.model, w);
   if (o.folder.empty()) fmt::print("{}", csv);
   else {
-    const OutputFolder folder(o.folder);
+    const core::OutputFolder folder(o.folder);
     folder.forget({"point.csv", "surface.svg"});
     core::write_file(folder / "point.csv", csv);
-    draw(m, o.way, w, folder / "surface.svg");
+    plot::walk_picture(m, o.way, w, folder / "surface.svg");
     const auto& last = w.points.back();
     fmt::print("{}: {} steps, p = {:.5g} Pa, q = {:.5g} Pa, {}\nresults in {}\n", m.name, w.points.size() - 1,
                last.last.p, last.last.q, plot::zone_name(last.last.zone), folder.path().string());

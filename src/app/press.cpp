@@ -40,8 +40,9 @@ void press(const Options& options) {
     throw core::InvalidInput(fmt::format("--as-measured is for experiment = \"simple\", not \"{}\"",
                                          press::name_of(c.experiment)));
   if (!options.model.empty()) c.material.model = material::run_as(c.material.model, options.model);
-  const OutputFolder folder(options.folder);
-  const auto [result, summary] = press_into(c, folder, Fields::pictures_and_vtu, options.estimate_error);
+  const core::OutputFolder folder(options.folder);
+  const auto [result, summary] =
+      press_into(c, folder, plot::Fields::pictures_and_vtu, options.estimate_error);
   print_flags(result);
   if (!options.as_measured.empty()) write_measured(options, c, result.curve);
   if (options.json) {

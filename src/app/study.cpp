@@ -17,7 +17,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <memory>
 
 namespace platen::app {
@@ -110,25 +109,16 @@ void merge(const Options& o) {
 void submit(const Options& o) {
   const auto s = study::read_study(o.card);
   auto store = store_of(s, o);
-  const auto t = study::tally(s, store);
-  const int left = t.runs - t.done - t.failed;
-  const auto script = study::batch_script({s.name, std::filesystem::read_symlink("/proc/self/exe"), o.card,
-                                           store.folder(), std::clamp(left, 1, o.tasks), o.slurm});
+  const study::Job job{
+      study::worker_of(std::filesystem::read_symlink("/proc/self/exe"), o.card, store.folder()), o.tasks,
+      o.slurm};
   if (o.dry_run) {
-    fmt::print("{}", script);
+    fmt::print("{}", study::batch_script(s, store, job));
     return;
   }
-  if (left == 0) {
-    fmt::print("nothing is left to press in {}\n", store.folder().string());
-    return;
-  }
-  store.open_for_writing(o.old());
-  const auto file = (store.folder() / "submit.sh").string();
-  core::write_file(file, script);
-  std::fflush(nullptr);
-  if (std::system(fmt::format("sbatch {}", study::quoted(file)).c_str()) != 0)
-    throw core::IoError(fmt::format(
-        "sbatch did not take the job (above, or there is no sbatch here); its script is {}", file));
+  const auto answer = study::submit(s, store, job, o.old());
+  if (answer.empty()) fmt::print("nothing is left to press in {}\n", store.folder().string());
+  else fmt::print("{}\n", answer);
 }
 
 } // namespace

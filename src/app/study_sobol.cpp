@@ -1,13 +1,13 @@
 #include "app/study_sobol.hpp"
 
-#include "app/sobol_picture.hpp"
 #include "core/say.hpp"
 #include "material/card.hpp"
+#include "plot/surrogate/sobol_picture.hpp"
+#include "surrogate/words.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -22,24 +22,11 @@ struct Options {
 void print(const Options& o) {
   const auto material = material::read_card(o.material).material;
   const auto s = surrogate::sobol_of_catalogue(material, o.within);
-  fmt::print("{}: Sobol indices through the surrogate of pool {}, each number within {:.3g} of itself; "
-             "alone, and with "
-             "others\n  {:<33}",
-             material.name, s.pool, o.within, "");
-  for (const auto& output : s.outputs) fmt::print("  {:>24}", output);
-  fmt::print("\n  {:<33}", "deviation");
-  for (const double deviation : s.deviation) fmt::print("  {:>22.1f} %", 100 * deviation);
-  fmt::print("\n");
-  for (const auto& n : s.numbers) {
-    fmt::print("  {:<12} {:>20}", n.key, fmt::format("{:.3g} to {:.3g}", n.low, n.high));
-    for (std::size_t k = 0; k < s.outputs.size(); ++k)
-      fmt::print("  {:>24}", fmt::format("{:.2f}  {:.2f}", std::max(0.0, n.alone[k]), n.total[k]));
-    fmt::print("\n");
-  }
+  fmt::print("{}", words_of(s, material.name, o.within));
   if (!s.held.empty())
     core::say_line(
         fmt::format("note: held, because the pool does not vary them: {}", fmt::join(s.held, ", ")));
-  if (!o.picture.empty()) sobol_picture(s, o.picture);
+  if (!o.picture.empty()) plot::sobol_picture(s, o.picture);
 }
 
 } // namespace

@@ -1,13 +1,9 @@
 #include "app/wang_report.hpp"
 
 #include "core/version.hpp"
-#include "plot/curve_picture.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
-
-#include <cmath>
-#include <numbers>
 
 namespace platen::app {
 namespace {
@@ -71,26 +67,6 @@ std::string wang_json(const press::Curve& curve, const fit::WangFit& f) {
     json["error"]["unload_R2"] = f.unloading_r_squared;
   }
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-void draw_wang_fit(const press::Curve& pressed, const fit::WangFit& f, const std::filesystem::path& file) {
-  constexpr int intervals = 400;
-  const press::Curve curve = fit::hertz_consistent(pressed);
-  const double x_y = f.delta_y_m / curve.radius_m;
-  const double F_bar_y = f.F_y_N / (std::numbers::pi * curve.radius_m * curve.radius_m * curve.sigma_ref_Pa);
-  std::vector<double> delta_bar, F_bar;
-  for (int i = 0; i <= intervals; ++i) {
-    const double omega = 1 + (f.omega_max - 1) * i / intervals;
-    delta_bar.push_back(omega * x_y);
-    F_bar.push_back(F_bar_y * f.F_over_F_y(omega));
-  }
-  // One m and n for all branches, as the card has it.
-  std::vector<fit::UnloadingFit> branches = f.branches;
-  for (auto& branch : branches) {
-    branch.alpha = f.n;
-    branch.delta_bar_0 = branch.delta_bar_max - x_y * std::pow(branch.F_bar_max / F_bar_y / f.m, 1 / f.n);
-  }
-  plot::curve_with_law(curve, delta_bar, F_bar, "wang", file, branches);
 }
 
 } // namespace platen::app

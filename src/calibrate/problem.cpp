@@ -119,7 +119,7 @@ State Problem::solve() {
   options.callbacks.push_back(&stop);
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem_, &summary);
-  if (core::interrupted()) throw core::Interrupted("stopped; nothing was written");
+  core::stop_if_asked();
   state_.cost = summary.IsSolutionUsable() ? summary.final_cost : std::numeric_limits<double>::infinity();
   state_.converged = summary.termination_type == ceres::CONVERGENCE;
   return state_;

@@ -1,5 +1,7 @@
 #include "core/interrupt.hpp"
 
+#include "core/error.hpp"
+
 #include <csignal>
 
 namespace platen::core {
@@ -26,5 +28,9 @@ void watch_for_interrupts() {
 void ask_for_interrupts(bool (*host)()) { host_asked = host; }
 
 bool interrupted() { return stop != 0 || (host_asked && host_asked()); }
+
+void stop_if_asked() {
+  if (interrupted()) throw Interrupted("stopped; nothing was written");
+}
 
 } // namespace platen::core

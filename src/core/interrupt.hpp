@@ -13,4 +13,7 @@ void ask_for_interrupts(bool (*host)());
 /// Whether the user asked to stop.
 bool interrupted();
 
+/// Throws Interrupted if so: for work that has written nothing yet.
+void stop_if_asked();
+
 } // namespace platen::core

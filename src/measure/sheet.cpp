@@ -59,7 +59,7 @@ class Reader {
 
   Sheet read() {
     for (std::size_t i = 0; i < lines_.size(); ++i) {
-      if (i % 65536 == 0 && core::interrupted()) throw core::Interrupted("stopped; nothing was written");
+      if (i % 65536 == 0) core::stop_if_asked();
       split(lines_[i], sheet_.dialect, cells_);
       line_ = static_cast<int>(i) + 1;
       const Census c = census(cells_, sheet_.dialect);

@@ -111,4 +111,13 @@ void compare_picture(const fit::Reference& reference, const std::vector<fit::Tra
   run_gnuplot(script, file);
 }
 
+void compare_picture(const fit::Question& q, const fit::Comparison& c, const std::string& title,
+                     const std::filesystem::path& file) {
+  const press::Curve& curve = q.reference.curve;
+  fit::Reference named = c.reference;
+  if (!curve.experiment.empty()) named.trace.name = "press";
+  const auto& its_own = curve.material.empty() ? q.reference.label : curve.material;
+  compare_picture(named, c.traces, title.empty() ? its_own : title, file);
+}
+
 } // namespace platen::plot

@@ -9,10 +9,10 @@
 #include "study/table.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
 
 namespace platen::study {
@@ -24,8 +24,11 @@ using Rows = std::vector<std::vector<double>>;
 /// A folder that goes with the object.
 class Scratch {
  public:
-  Scratch() : path_(fs::temp_directory_path() / fmt::format("platen-{}", ::getpid())) {
-    fs::create_directories(path_);
+  Scratch() {
+    std::string name = (fs::temp_directory_path() / "platen-XXXXXX").string();
+    if (!::mkdtemp(name.data()))
+      throw core::IoError(fmt::format("{}: no folder can be made there", fs::temp_directory_path().string()));
+    path_ = name;
   }
   ~Scratch() {
     std::error_code error;

@@ -1,3 +1,4 @@
+#include "core/interrupt.hpp"
 #include "surrogate/kernel.hpp"
 
 #include <ceres/gradient_problem.h>
@@ -84,6 +85,14 @@ class Objective final : public ceres::FirstOrderFunction {
   VectorXd y_;
 };
 
+/// Ends the search where the user asked to stop.
+class Watch final : public ceres::IterationCallback {
+ public:
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary&) override {
+    return core::interrupted() ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+  }
+};
+
 } // namespace
 
 Process fit_process(const Inputs& inputs, std::span<const double> values) {
@@ -102,8 +111,11 @@ Process fit_process(const Inputs& inputs, std::span<const double> values) {
     options.logging_type = ceres::SILENT;
     options.max_num_iterations = 120;
     options.function_tolerance = 1e-7;
+    Watch watch;
+    options.callbacks.push_back(&watch);
     ceres::GradientProblemSolver::Summary summary;
     ceres::Solve(options, problem, theta.data(), &summary);
+    core::stop_if_asked();
     if (best.empty() || summary.final_cost < least) best = theta, least = summary.final_cost;
   }
   Process p = Objective::at(best.data(), d);

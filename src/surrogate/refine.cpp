@@ -1,5 +1,6 @@
 #include "surrogate/refine.hpp"
 
+#include "core/interrupt.hpp"
 #include "surrogate/kernel.hpp"
 #include "surrogate/said.hpp"
 
@@ -64,6 +65,7 @@ Refined refine(const Surrogate& s, const std::vector<Description>& candidates, d
   };
   Refined refined;
   for (;;) {
+    core::stop_if_asked();
     std::size_t worst = 0;
     double largest = -1;
     for (std::size_t j = 0; j < candidates.size(); ++j) {

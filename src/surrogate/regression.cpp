@@ -1,5 +1,6 @@
 #include "surrogate/regression.hpp"
 
+#include "core/interrupt.hpp"
 #include "fit/least_squares.hpp"
 
 #include <algorithm>
@@ -57,6 +58,7 @@ std::vector<std::size_t> stepwise(const std::vector<std::vector<double>>& column
   };
   std::vector<std::size_t> chosen = {0};
   for (double least = criterion(chosen);;) {
+    core::stop_if_asked();
     std::vector<std::size_t> best;
     for (std::size_t k = 1; k < columns.size(); ++k) {
       auto other = chosen;
@@ -75,6 +77,7 @@ std::vector<double> regression_left_out(const std::vector<std::vector<double>>& 
                                         const std::vector<std::size_t>& groups) {
   std::vector<double> said(y.size());
   for (std::size_t group = 0; group <= *std::max_element(groups.begin(), groups.end()); ++group) {
+    core::stop_if_asked();
     std::vector<std::vector<double>> others(columns.size());
     std::vector<double> other_y;
     for (std::size_t i = 0; i < y.size(); ++i) {

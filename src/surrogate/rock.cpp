@@ -137,6 +137,11 @@ std::vector<std::optional<Coefficients>> left_out_by_neighbours(
   return said;
 }
 
+bool is_of_rock(const fs::path& folder) {
+  const auto study = study::read_study((folder / "study.toml").string());
+  return std::ranges::find(study.laws, "wang") != study.laws.end();
+}
+
 Rock rock_of_pool(const fs::path& folder) {
   const auto study = study::read_study((folder / "study.toml").string());
   const auto runs = core::read_csv(folder / "runs.csv");
@@ -198,8 +203,9 @@ std::string text_of(const Rock& rock) {
   return text;
 }
 
-Rock read_rock(const fs::path& file) {
-  const auto csv = core::read_csv(file);
+Rock read_rock(const fs::path& file) { return read_rock(core::read_csv(file)); }
+
+Rock read_rock(const core::Csv& csv) {
   Rock rock;
   rock.pool = csv.note("pool");
   rock.engine = static_cast<int>(csv.number_note("engine"));
@@ -228,7 +234,7 @@ Rock read_rock(const fs::path& file) {
   if (!(rock.radius_m > 0 && rock.force_N > 0) || rock.grains.empty())
     throw core::InvalidInput(fmt::format("{}: no grains, or no radius and force; make it again with `platen "
                                          "study surrogate`",
-                                         file.string()));
+                                         csv.file));
   return rock;
 }
 

@@ -6,6 +6,7 @@
 // knows beside nu and phi is how far it is loaded beyond first yield. So the pool's 3 x 6 values of E and
 // sigma_c are 18 of one number, F_y over the force, and grains lie much nearer to each other.
 
+#include "core/csv.hpp"
 #include "fit/law_card.hpp"
 #include "material/models.hpp"
 #include "surrogate/assess.hpp"
@@ -78,14 +79,18 @@ struct RockMethod {
   std::string name;
   RockErrors errors;
 };
-/// Natural neighbours, Gaussian processes, regressions: each grain predicted without itself.
+/// Natural neighbours, Gaussian processes, regressions: each grain predicted without itself. Throws
+/// Interrupted.
 std::vector<RockMethod> rock_methods(const Rock&);
 
+/// Whether the study of a pool fits the law wang: it is one of rock, then.
+bool is_of_rock(const std::filesystem::path& folder);
 /// With its errors. InvalidInput where the pool is none of local presses of drucker-prager, fitted with wang.
 Rock rock_of_pool(const std::filesystem::path& folder);
 /// The file that `platen predict` reads, grains.csv in the folder of the pool.
 std::string text_of(const Rock&);
 Rock read_rock(const std::filesystem::path&);
+Rock read_rock(const core::Csv&);
 
 struct PredictedRock {
   fit::LawCard card;

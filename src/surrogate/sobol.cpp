@@ -1,6 +1,7 @@
 #include "surrogate/sobol.hpp"
 
 #include "core/error.hpp"
+#include "core/interrupt.hpp"
 #include "study/random.hpp"
 #include "surrogate/assess.hpp"
 #include "surrogate/said.hpp"
@@ -141,6 +142,7 @@ std::vector<double> sobol_indices(const std::function<std::vector<double>(const 
   std::vector<std::vector<double>> of_A, of_B;
   std::vector<std::vector<std::vector<double>>> of_A_i; // by sample, by number
   for (int sample = 0; sample < samples; ++sample) {
+    core::stop_if_asked();
     const auto draw = [&] {
       std::vector<double> place;
       for (const auto& n : numbers) place.push_back(n.low + (n.high - n.low) * random.uniform());

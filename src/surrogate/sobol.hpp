@@ -42,7 +42,7 @@ struct Sensitivity {
 Sensitivity sobol(const Surrogate&, const material::Model&, double within, int samples = 1024, int seed = 1);
 
 /// Of the catalogues' surrogates that one in whose ranges the material is and in which most numbers vary.
-/// InvalidInput where there is none.
+/// InvalidInput where there is none. Throws Interrupted.
 Sensitivity sobol_of_catalogue(const material::Material&, double within);
 
 } // namespace platen::surrogate

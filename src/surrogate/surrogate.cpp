@@ -69,6 +69,15 @@ Layer fit_change(const Surrogate& s, const PoolData& fine, const PoolData& coars
 
 } // namespace
 
+ReadPools read_pools(const std::filesystem::path& fine, const std::vector<std::string>& with,
+                     const std::string& coarse, const std::string& guide) {
+  ReadPools pools{read_pool_data(fine), {}, {}};
+  for (const auto& pool : with) append(pools.fine, read_pool_data(pool));
+  if (!coarse.empty()) pools.coarse = read_pool_data(coarse);
+  if (!guide.empty()) pools.guide = read_pool_data(guide);
+  return pools;
+}
+
 Surrogate fit_surrogate(const Pools& pools) {
   const auto& [fine, coarse, guide] = pools;
   Surrogate s;

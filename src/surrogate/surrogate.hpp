@@ -89,7 +89,18 @@ struct Pools {
   const PoolData* guide = nullptr;
 };
 
-/// Deterministic. InvalidInput where the pools do not belong together.
+/// The same, and whoever has them.
+struct ReadPools {
+  PoolData fine;
+  std::optional<PoolData> coarse, guide;
+
+  Pools all() const { return {fine, coarse ? &*coarse : nullptr, guide ? &*guide : nullptr}; }
+};
+/// From their folders; `with`: of other materials that were pressed alike. An empty name: there is none.
+ReadPools read_pools(const std::filesystem::path& fine, const std::vector<std::string>& with,
+                     const std::string& coarse = "", const std::string& guide = "");
+
+/// Deterministic. InvalidInput where the pools do not belong together. Throws Interrupted.
 Surrogate fit_surrogate(const Pools&);
 
 /// What a surrogate says of a material that was pressed, beside the truth.

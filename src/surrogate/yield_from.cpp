@@ -16,9 +16,9 @@ Description metal(double E, double nu, double sigma_y) {
 }
 
 void refuse_unless_elastic(double E, double nu) {
-  if (!(E > 0) || !(nu >= 0 && nu < 0.5))
+  if (!(E > 0) || !std::isnormal(E) || !(nu >= 0 && nu < 0.5))
     throw core::InvalidInput(
-        fmt::format("E_Pa = {:.4g}, nu = {:.4g}: E_Pa must be above 0, nu in [0, 0.5)", E, nu));
+        fmt::format("E_Pa = {:.4g}, nu = {:.4g}: E_Pa must be a number above 0, nu in [0, 0.5)", E, nu));
 }
 
 } // namespace
@@ -26,7 +26,8 @@ void refuse_unless_elastic(double E, double nu) {
 double yield_from_hardness(double E, double nu, double H) {
   constexpr double tabor = 2.8, fully_plastic = 30, slope = 0.358; // tan(19.7 degrees)
   refuse_unless_elastic(E, nu);
-  if (!(H > 0)) throw core::InvalidInput(fmt::format("hardness_Pa = {:.4g} is not above 0", H));
+  if (!(H > 0) || !std::isnormal(H / tabor))
+    throw core::InvalidInput(fmt::format("hardness_Pa = {:.4g} is no number above 0", H));
   const double sigma_y = H / tabor, reached = E / (1 - nu * nu) * slope / sigma_y;
   if (reached < fully_plastic)
     throw core::InvalidInput(

@@ -10,10 +10,11 @@ declare -A stands_on=(
   [study]='fit press fe material core' [surrogate]='study fit press fe material core'
   [calibrate]='surrogate study measure fit press fe material core'
   [plot]='fit press fe material core' [plot/measured]='plot calibrate surrogate study measure fit press fe material core'
+  [plot/surrogate]='plot surrogate study fit press fe material core'
   [reproduce]='surrogate study plot fit press fe material core'
   [app]='reproduce plot calibrate surrogate study measure dem fit press fe material core')
 status=0
-for folder in src/*/ src/plot/measured/; do
+for folder in src/*/ src/plot/*/; do
   folder=${folder#src/}
   folder=${folder%/}
   [ -n "${stands_on[$folder]+x}" ] || { echo "src/$folder is not in $0"; status=1; continue; }

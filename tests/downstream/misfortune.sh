@@ -61,7 +61,7 @@ runs() { find pressed/runs -mindepth 1 -maxdepth 1 -name '[0-9a-f]*' 2>/dev/null
 : >answer
 "${calibrate[@]}" -o bead-metal.toml >answer 2>&1 &
 calibration=$!
-for i in $(seq 600); do
+for i in $(seq 6000); do
   [ -n "$(runs)" ] && break
   sleep 0.05
 done

@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <string_view>
 
-namespace platen::app {
+namespace platen::core {
 
 class OutputFolder {
  public:
@@ -28,4 +28,4 @@ class OutputFolder {
   int lock_ = -1;
 };
 
-} // namespace platen::app
+} // namespace platen::core

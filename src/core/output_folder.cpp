@@ -1,4 +1,4 @@
-#include "app/output_folder.hpp"
+#include "core/output_folder.hpp"
 
 #include "core/error.hpp"
 #include "core/file.hpp"
@@ -12,16 +12,16 @@
 #include <string>
 #include <vector>
 
-namespace platen::app {
+namespace platen::core {
 
 OutputFolder::OutputFolder(std::filesystem::path path) : path_(std::move(path)) {
-  core::prepare_folder(path_);
+  prepare_folder(path_);
   lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   // The lock goes with the process, however it ends. File systems without locks are used without one.
   if (lock_ >= 0 && ::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
     ::close(lock_);
-    throw core::IoError(fmt::format(
-        "{}: another run is writing into this folder; name another with -o, or wait", path_.string()));
+    throw IoError(fmt::format("{}: another run is writing into this folder; name another with -o, or wait",
+                              path_.string()));
   }
 }
 
@@ -45,4 +45,4 @@ void OutputFolder::forget_series(std::string_view start, std::string_view end) c
   for (const auto& file : found) std::filesystem::remove(file, error);
 }
 
-} // namespace platen::app
+} // namespace platen::core
