@@ -43,6 +43,10 @@ std::string name_of(law::LoadingCase);
 /// laws do.
 std::vector<double> compared_overlaps(law::LoadingCase, const BranchCurve&);
 
+/// Whether a chart draws the i-th of so many: four at most, the first and the last among them. Compared are
+/// all.
+bool is_drawn(std::size_t i, std::size_t of);
+
 /// Force, radius and pressure over the overlap: press (full) and law (dashed) of each in turn.
 struct Compared {
   std::string name;
