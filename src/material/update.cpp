@@ -1,6 +1,7 @@
 #include "material/update.hpp"
 
 #include "core/vector_clones.hpp"
+#include "material/lane_return.hpp"
 
 #include <cassert>
 #include <cmath>
