@@ -6,6 +6,7 @@
 #include "core/parallel.hpp"
 #include "study/derived.hpp"
 #include "study/design.hpp"
+#include "study/filling.hpp"
 #include "study/submit.hpp"
 #include "study/table.hpp"
 #include "study/work.hpp"

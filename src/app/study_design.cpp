@@ -2,6 +2,7 @@
 
 #include "core/file.hpp"
 #include "study/card.hpp"
+#include "study/filling.hpp"
 #include "study/table.hpp"
 
 #include <fmt/format.h>

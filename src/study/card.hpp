@@ -31,11 +31,6 @@ Study read_study(std::string_view path);
 
 /// The points of its design.
 std::vector<Point> points_of(const Study&);
-/// How these fill the ranges of the study's factors.
-Spread spread_of(const Study&);
-/// How the runs of another study over the same factors fill the ranges of `s`. InvalidInput where a factor is
-/// missing there.
-Spread spread_of(const Study& other, const Study& s);
 
 /// The reference page of study cards, as Markdown.
 std::string study_reference();
