@@ -4,6 +4,7 @@
 #include "core/number.hpp"
 #include "fit/edmans_sinka_card.hpp"
 #include "fit/wang.hpp"
+#include "platen/law/edmans_sinka.hpp"
 #include "press/case_card.hpp"
 #include "press/curve_csv.hpp"
 #include "press/strength.hpp"

@@ -2,6 +2,7 @@
 
 #include "core/number.hpp"
 #include "fit/law_card.hpp"
+#include "platen/law/wang.hpp"
 
 namespace platen::fit {
 

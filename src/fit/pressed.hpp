@@ -3,6 +3,7 @@
 
 #include "fit/law_card.hpp"
 #include "fit/unloading.hpp"
+#include "platen/law/pressed.hpp"
 
 #include <string_view>
 

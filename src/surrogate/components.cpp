@@ -24,14 +24,14 @@ Reduced reduce(const Table& table) {
       Y(i, j) = table[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)];
   const VectorXd mean = Y.colwise().mean();
   Y.rowwise() -= mean.transpose();
-  const Eigen::BDCSVD<MatrixXd> svd(Y, Eigen::ComputeThinU | Eigen::ComputeThinV);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> ascending(Y.transpose() * Y);
   Reduced reduced;
   reduced.components.mean.assign(mean.data(), mean.data() + m);
   MatrixXd rest = Y;
   const auto rms = [&] { return std::sqrt(rest.squaredNorm() / static_cast<double>(n * m)); };
   for (Eigen::Index c = 0;
        c < std::min(n, m) && reduced.scores.size() < most_components && rms() > negligible; ++c) {
-    VectorXd direction = svd.matrixV().col(c);
+    VectorXd direction = ascending.eigenvectors().col(m - 1 - c);
     if (direction.sum() < 0) direction = -direction; // signs are the decomposition's whim
     const VectorXd score = Y * direction;
     rest -= score * direction.transpose();

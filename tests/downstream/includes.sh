@@ -5,7 +5,7 @@
 set -u
 cd "$1" || exit 1
 declare -A stands_on=(
-  [core]='' [capi]='' [dem]='fit press fe material core' [material]=core [fe]='material core' [press]='fe material core'
+  [core]='' [capi]='' [laws]='' [dem]='fit press fe material core' [material]=core [fe]='material core' [press]='fe material core'
   [fit]='press fe material core' [measure]='fit press fe material core'
   [study]='fit press fe material core' [surrogate]='study fit press fe material core'
   [calibrate]='surrogate study measure fit press fe material core'

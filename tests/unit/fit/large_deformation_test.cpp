@@ -4,7 +4,9 @@
 #include "fit/shahin.hpp"
 
 #include "core/error.hpp"
+#include "platen/law/agarwal.hpp"
 #include "platen/law/agarwal_secondary.hpp"
+#include "platen/law/shahin.hpp"
 
 #include <gtest/gtest.h>
 

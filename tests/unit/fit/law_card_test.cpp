@@ -2,6 +2,8 @@
 
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "platen/law/edmans_sinka.hpp"
+#include "platen/law/tabulate.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 #include "platen/law/catalogue.hpp"
 #include "platen/law/edmans_sinka.hpp"
 #include "platen/law/edmans_sinka_appendix.hpp"
+#include "platen/law/tabulate.hpp"
 
 #include "random_paths.hpp"
 

@@ -2,6 +2,7 @@
 // sound.
 
 #include "platen/law/catalogue.hpp"
+#include "platen/law/joined.hpp"
 #include "random_material.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // The table that runs (table.hpp) beside the formulas that it was made from, for every law of the list.
 
-#include "platen/law/catalogue.hpp"
+#include "platen/law/every_law.hpp"
 #include "random_material.hpp"
 
 #include <gtest/gtest.h>
