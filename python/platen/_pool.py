@@ -60,11 +60,10 @@ class Pool:
             raise different
         return check
 
-    def surrogate(self, *, others: Iterable[Path] = (), coarse: Path = "", guide: Path = "") -> Surrogate:
+    def surrogate(self, *, others: Iterable[Path] = (), coarse: Path = "") -> Surrogate:
         """Interpolates it, for `predict`. `others`: folders of pools of other materials that were pressed alike; `coarse`: of the
-        same study, and more of it, on fewer elements; `guide`: on so few that a material may be pressed before it is
-        predicted. A pool of rock is taken alone."""
-        made = _core.Surrogate.make(self.folder, [os.fspath(pool) for pool in others], os.fspath(coarse), os.fspath(guide))
+        same study, and more of it, on fewer elements; `predict` presses on as many first. A pool of rock is taken alone."""
+        made = _core.Surrogate.make(self.folder, [os.fspath(pool) for pool in others], os.fspath(coarse))
         return Surrogate(made)
 
     def methods(self, *, others: Iterable[Path] = (), surrogate: Surrogate | Path | None = None) -> Methods:

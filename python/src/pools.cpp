@@ -78,14 +78,14 @@ struct Surrogate {
 };
 
 Surrogate make_surrogate(const std::string& pool, const std::vector<std::string>& with,
-                         const std::string& coarse, const std::string& guide) {
+                         const std::string& coarse) {
   return long_work([&]() -> Surrogate {
     if (surrogate::is_of_rock(pool)) {
-      if (!with.empty() || !coarse.empty() || !guide.empty())
+      if (!with.empty() || !coarse.empty())
         throw core::InvalidInput(pool + ": a pool of rock is taken alone");
       return {surrogate::rock_of_pool(pool)};
     }
-    auto pools = std::make_shared<surrogate::ReadPools>(surrogate::read_pools(pool, with, coarse, guide));
+    auto pools = std::make_shared<surrogate::ReadPools>(surrogate::read_pools(pool, with, coarse));
     auto s = surrogate::fit_surrogate(pools->all());
     return {std::move(s), std::move(pools)};
   });
@@ -256,7 +256,7 @@ nb::dict sobol(const material::Card& card, double share, const std::string& pict
 void add_pools(nb::module_& m) {
   nb::class_<Surrogate>(m, "Surrogate", "What is known of materials between those that were pressed.")
       .def_static("make", &make_surrogate, nb::arg("pool"), nb::arg("with_"), nb::arg("coarse"),
-                  nb::arg("guide"), "Of a pool, by its folder.")
+                  "Of a pool, by its folder.")
       .def_static("read", &read_surrogate, nb::arg("what"), "By its file, or the folder of its pool.")
       .def_static("parse", &parse_surrogate, nb::arg("text"), nb::arg("file"), nb::arg("of_rock"),
                   "From its text.")

@@ -14,7 +14,7 @@ namespace platen::app {
 namespace {
 
 struct Options {
-  std::string pool, coarse, guide, output;
+  std::string pool, coarse, output;
   std::vector<std::string> with, beside;
 };
 
@@ -31,7 +31,7 @@ void make_rock(const Options& o) {
 
 void make(const Options& o) {
   if (surrogate::is_of_rock(o.pool)) return make_rock(o);
-  const auto read = surrogate::read_pools(o.pool, o.with, o.coarse, o.guide);
+  const auto read = surrogate::read_pools(o.pool, o.with, o.coarse);
   const auto pools = read.all();
   const auto s = surrogate::fit_surrogate(pools);
   const auto file = file_of(o, "surrogate.txt");
@@ -48,12 +48,10 @@ void add_study_surrogate(Command study) {
   auto o = std::make_shared<Options>();
   command.add_option("POOL", o->pool, "folder with study.toml, runs.csv, curves.csv").required();
   command.add_option("--with", o->with, "pools of other materials that were pressed alike").type_name("POOL");
-  command.add_option("--coarse", o->coarse, "pool of the same study, and more of it, on fewer elements")
-      .type_name("POOL");
   command
-      .add_option("--guide", o->guide,
-                  "likewise, on so few elements that a material may be pressed before it is "
-                  "predicted")
+      .add_option("--coarse", o->coarse,
+                  "pool of the same study, and more of it, on fewer elements; `platen predict` presses on as "
+                  "many first")
       .type_name("POOL");
   command.add_option("-o", o->output, "the file; default surrogate.txt in its folder, of rock grains.csv")
       .type_name("FILE");

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <tuple>
 
 namespace platen::calibrate {
 namespace {
@@ -24,22 +25,7 @@ void check_inside(const Surrogate& s, const Description& d) {
   }
 }
 
-/// Logarithms of F at the knots and of alpha and beta, without the variances that predict() adds.
-struct Logarithms {
-  std::vector<double> F, a, work, exponent;
-};
-Logarithms logarithms_at(const Surrogate& s, const std::vector<double>& at) {
-  Logarithms l;
-  for (const auto& layer : s.layers) {
-    add(l.F, values_at(layer.force, layer.inputs, at));
-    add(l.a, values_at(layer.radius, layer.inputs, at));
-    add(l.work, values_at(layer.work, layer.inputs, at));
-    add(l.exponent, values_at(layer.exponent, layer.inputs, at));
-  }
-  return l;
-}
-
-law::PressedMaterial curve(const Surrogate& s, const Logarithms& l, const material::Material& material) {
+law::PressedMaterial curve(const Surrogate& s, const Said& l, const material::Material& material) {
   auto [alpha, beta] = alpha_beta(l.work, l.exponent);
   return curve_of(
       {s.knots, l.F, l.a, s.unload_delta_bar, logarithms(std::move(alpha)), logarithms(std::move(beta))},
@@ -62,20 +48,21 @@ Curves surrogate_curves(const material::Material& typical) {
   };
   Curves curves;
   curves.of = [s, described](const material::Material& m) {
-    return curve(*s, logarithms_at(*s, input_of(*s, described(m).coordinates)), m);
+    return curve(*s, said_at(*s, input_of(*s, described(m).coordinates)), m);
   };
   curves.astray = [s, described](const material::Material& m) {
     const auto d = described(m);
     const auto at = input_of(*s, d.coordinates);
-    const auto best = logarithms_at(*s, at);
+    const auto best = said_at(*s, at);
     constexpr double nominal = 1.645; // half the 90 % band of a normal distribution
     const double wider = s->band / nominal;
     std::vector<law::PressedMaterial> ways;
     auto rest = said_of(*s, d, nullptr).F_variance; // what no component holds: another Poisson's ratio
     for (double& variance : rest) variance *= wider * wider;
     for (const auto& layer : s->layers) {
+      const double spread = &layer == &s->layers.front() ? 1 : best.spread;
       for (std::size_t c = 0; c < layer.force.basis.size(); ++c) {
-        const double by = deviation(layer.force.processes[c], layer.inputs, at, wider);
+        const double by = spread * deviation(layer.force.processes[c], layer.inputs, at, wider);
         auto other = best;
         for (std::size_t j = 0; j < other.F.size(); ++j) {
           other.F[j] += by * layer.force.basis[c][j];
@@ -83,11 +70,11 @@ Curves surrogate_curves(const material::Material& typical) {
         }
         ways.push_back(curve(*s, other, m));
       }
-      for (const auto& [components, values] :
-           {std::pair{&Layer::work, &Logarithms::work}, {&Layer::exponent, &Logarithms::exponent}}) {
+      for (const auto& [components, values, factor] :
+           {std::tuple{&Layer::work, &Said::work, spread}, {&Layer::exponent, &Said::exponent, 1.0}}) {
         const Components& of = layer.*components;
         for (std::size_t c = 0; c < of.basis.size(); ++c) {
-          const double by = deviation(of.processes[c], layer.inputs, at, 1);
+          const double by = factor * deviation(of.processes[c], layer.inputs, at, 1);
           auto other = best;
           for (std::size_t j = 0; j < (other.*values).size(); ++j) (other.*values)[j] += by * of.basis[c][j];
           ways.push_back(curve(*s, other, m));

@@ -16,7 +16,7 @@ namespace platen::surrogate {
 namespace {
 
 constexpr std::string_view head =
-    "platen-surrogate 3"; // raised when the coordinates of a model, or what follows, change
+    "platen-surrogate 4"; // raised when the coordinates of a model, or what follows, change
 
 class Writer {
  public:
@@ -201,7 +201,6 @@ std::string text_of(const Surrogate& s) {
   write(out, "left_out", s.left_out);
   if (!s.guide) return out.text;
   out.list("guide", std::vector{static_cast<double>(s.guide->elements), s.guide->step_max});
-  write(out, s.guide->change);
   out.list("band", std::vector{s.guide->band});
   write(out, "left_out", s.guide->left_out);
   return out.text;
@@ -243,7 +242,7 @@ Surrogate parse_surrogate(std::string_view text, const std::string& file) {
   s.left_out = read_errors(in, "left_out");
   if (in.peek() != "guide") return s;
   const auto press = in.list("guide", 2);
-  Guide guide{in.count_of(press[0]), press[1], read_layer(in, varying, s.knots.size(), 0), 0, {}};
+  Guide guide{in.count_of(press[0]), press[1], 0, {}};
   guide.band = in.number("band");
   guide.left_out = read_errors(in, "left_out");
   s.guide = std::move(guide);

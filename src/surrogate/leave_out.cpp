@@ -21,6 +21,7 @@ struct Term {
   const Layer& layer;
   Tables tables;
   std::vector<std::size_t> rows;
+  bool of_change = false; ///< from coarse to fine, which scatters more for some materials than for others
 };
 
 /// As cross(), but with components and processes made without a tenth of the rows at a time.
@@ -45,27 +46,24 @@ Crossed cross_anew(const Table& table, const Inputs& inputs) {
   return crossed;
 }
 
-/// Adds what the terms say of each material when it is left out of them; of unloadings, or of the loading.
-/// The last term is the finest layer.
-void add_left_out(std::vector<Said>& said, const std::vector<Term>& terms, bool unloadings, Left left) {
-  for (const auto& [layer, tables, rows] : terms) {
+/// Adds what the terms say of each material when it is left out of them. The last term is the finest layer.
+void add_left_out(std::vector<Said>& said, const std::vector<Term>& terms, const std::vector<double>& knots,
+                  Left left) {
+  for (const auto& [layer, tables, rows, of_change] : terms) {
     const bool anew = left == Left::anew && &layer == &terms.back().layer;
-    if (unloadings) {
-      const Crossed work = cross(layer.work, tables.work, layer.inputs),
-                    exponent = cross(layer.exponent, tables.exponent, layer.inputs);
-      for (std::size_t i = 0; i < said.size(); ++i) {
-        add(said[i].work, work.mean[rows[i]]);
-        add(said[i].exponent, exponent.mean[rows[i]]);
-      }
-      continue;
-    }
     const Crossed F = anew ? cross_anew(tables.force, layer.inputs)
                            : cross(layer.force, tables.force, layer.inputs),
-                  a = cross(layer.radius, tables.radius, layer.inputs);
+                  a = cross(layer.radius, tables.radius, layer.inputs),
+                  work = cross(layer.work, tables.work, layer.inputs),
+                  exponent = cross(layer.exponent, tables.exponent, layer.inputs);
     for (std::size_t i = 0; i < said.size(); ++i) {
-      add(said[i].F, F.mean[rows[i]]);
-      add(said[i].F_variance, F.variance[rows[i]]);
-      add(said[i].a, a.mean[rows[i]]);
+      Said& one = said[i];
+      if (of_change) one.spread = spread_of(knots, one.F);
+      add(one.F, F.mean[rows[i]], one.spread);
+      add(one.F_variance, F.variance[rows[i]], one.spread * one.spread);
+      add(one.a, a.mean[rows[i]]);
+      add(one.work, work.mean[rows[i]], one.spread);
+      add(one.exponent, exponent.mean[rows[i]]);
     }
   }
 }
@@ -85,9 +83,9 @@ std::vector<Term> terms_of(const Surrogate& s, const Pools& pools, std::vector<s
   const auto both = in_both(pools.fine, *pools.coarse);
   std::vector<std::size_t> coarse;
   for (const auto& one : both) fine.push_back(one.fine), coarse.push_back(one.coarse);
-  return {
-      {s.layers[0], tables_of(*pools.coarse), coarse},
-      {s.layers[1], change(tables_of(pools.fine), tables_of(*pools.coarse), both), numbered(both.size())}};
+  return {{s.layers[0], tables_of(*pools.coarse), coarse},
+          {s.layers[1], change(tables_of(pools.fine), tables_of(*pools.coarse), both, s.knots),
+           numbered(both.size()), true}};
 }
 
 std::vector<Errors> errors_of(const Pools& pools, const std::vector<std::size_t>& fine,
@@ -109,8 +107,7 @@ std::vector<Said> said_left_out(const Surrogate& s, const Pools& pools, std::vec
   std::vector<std::size_t> fine;
   const auto terms = terms_of(s, pools, fine);
   std::vector<Said> said(fine.size());
-  add_left_out(said, terms, false, left);
-  add_left_out(said, terms, true, left);
+  add_left_out(said, terms, s.knots, left);
   if (which) *which = std::move(fine);
   return said;
 }
@@ -123,33 +120,19 @@ std::vector<Errors> leave_out(const Surrogate& s, const Pools& pools, Left left)
 
 std::vector<Errors> leave_out_guided(const Surrogate& s, const Pools& pools, Left left) {
   std::vector<std::size_t> fine;
-  auto terms = terms_of(s, pools, fine);
-  const auto both = in_both(*pools.coarse, *pools.guide);
-  const Tables guides = tables_of(*pools.guide);
-  Term changes{s.guide->change, change(tables_of(*pools.coarse), guides, both), {}};
-  std::vector<Term> unguided = terms;
-  std::vector<std::size_t> kept_fine;
-  std::vector<std::vector<std::size_t>> kept(2);
+  const auto terms = terms_of(s, pools, fine);
+  const Tables& coarse = terms[0].tables;
   std::vector<Said> said;
-  for (std::size_t i = 0; i < fine.size(); ++i) {
-    const auto found =
-        std::find_if(both.begin(), both.end(), [&](const Both& b) { return b.fine == terms[0].rows[i]; });
-    if (found == both.end()) continue;
-    changes.rows.push_back(static_cast<std::size_t>(found - both.begin()));
-    kept_fine.push_back(fine[i]);
-    for (std::size_t l = 0; l < 2; ++l) kept[l].push_back(terms[l].rows[i]);
-    said.push_back({guides.force[found->coarse], {}, guides.radius[found->coarse], {}, {}});
-  }
-  for (std::size_t l = 0; l < 2; ++l) unguided[l].rows = kept[l];
-  add_left_out(said, unguided, true, left);
-  add_left_out(said, {changes, unguided[1]}, false, left);
-  return errors_of(pools, kept_fine, said);
+  for (const auto i : terms[0].rows)
+    said.push_back({coarse.force[i], {}, coarse.radius[i], coarse.work[i], coarse.exponent[i]});
+  add_left_out(said, {terms[1]}, s.knots, left);
+  return errors_of(pools, fine, said);
 }
 
 std::vector<Errors> errors_beside(const Surrogate& s, const PoolData& data, bool guided) {
   std::vector<Errors> errors;
   for (const auto& run : data.runs) {
-    std::optional<Loading> guide;
+    std::optional<CoarsePress> guide;
     if (guided) guide = press_guide(s, run.material);
     errors.push_back(errors_of(data, run, said_of(s, run.description, guide ? &*guide : nullptr)));
   }

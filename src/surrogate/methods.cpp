@@ -72,13 +72,8 @@ Granules granules_of(const Surrogate& s, const PoolData& data) {
 
 /// Only what a method says; the rest is as it was pressed.
 Said pressed_said(const Pressed& run) {
-  Said said{logarithms(run.F_bar),
-            std::vector<double>(run.F_bar.size(), 1),
-            logarithms(run.a_bar),
-            {},
-            logarithms(run.alpha)};
-  for (std::size_t b = 0; b < run.beta.size(); ++b) said.work.push_back(work_of(run.alpha[b], run.beta[b]));
-  return said;
+  return {logarithms(run.F_bar), std::vector<double>(run.F_bar.size(), 1), logarithms(run.a_bar),
+          works_of(run.alpha, run.beta), logarithms(run.alpha)};
 }
 
 Method method(std::string name, const Granules& g,

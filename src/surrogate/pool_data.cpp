@@ -44,6 +44,8 @@ Pressed pressed(const std::vector<std::vector<double>>& rows, std::vector<double
   return run;
 }
 
+bool ends_early(const PressedBranch& branch) { return branch.F_bar.front() > 0.1 * branch.F_bar.back(); }
+
 } // namespace
 
 PoolData read_pool_data(const fs::path& folder, Take take) {
@@ -92,8 +94,9 @@ PoolData read_pool_data(const fs::path& folder, Take take) {
     run.alpha = cells("alpha");
     run.beta = cells("beta");
     run.residual = cells("delta_bar_0");
-    if (run.alpha.size() < data.unload_delta_bar.size() || run.branches.size() < run.alpha.size()) {
-      ++data.too_steep;
+    if (run.alpha.size() < data.unload_delta_bar.size() || run.branches.size() < run.alpha.size() ||
+        (take == Take::usable && std::ranges::any_of(run.branches, ends_early))) {
+      ++data.not_unloaded;
       continue;
     }
     if (take == Take::usable && grows(8, knots, run.F_bar)) {
@@ -119,7 +122,7 @@ void append(PoolData& data, const PoolData& more) {
         data.name, more.name));
   data.runs.insert(data.runs.end(), more.runs.begin(), more.runs.end());
   data.asked += more.asked;
-  data.too_steep += more.too_steep;
+  data.not_unloaded += more.not_unloaded;
   data.locked += more.locked;
 }
 

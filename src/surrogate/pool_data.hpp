@@ -28,11 +28,13 @@ struct Pressed {
 struct PoolData {
   std::string name; ///< of the folder
   int engine = 0;
-  int elements = 0;          ///< asked for
-  double step_max = 0;       ///< of delta/R0
-  std::size_t asked = 0;     ///< runs of its study
-  std::size_t too_steep = 0; ///< done, with a branch too steep for alpha and beta to be fitted
-  std::size_t locked = 0;    ///< done, and left aside because they lock
+  int elements = 0;      ///< asked for
+  double step_max = 0;   ///< of delta/R0
+  std::size_t asked = 0; ///< runs of its study
+  /// Done, with a branch that is too steep for alpha and beta to be fitted, or that the press could not
+  /// follow to a tenth of its force.
+  std::size_t not_unloaded = 0;
+  std::size_t locked = 0;                      ///< done, and left aside because they lock
   std::vector<double> knots, unload_delta_bar; ///< delta/R0
   std::vector<Pressed> runs;                   ///< those that are done
 };
@@ -44,7 +46,7 @@ bool grows(double times, const std::vector<double>& knots, const std::vector<dou
 constexpr double locked_growth = 5;
 
 /// usable: without those that lock by far (eightfold), which would spoil the others; what is between tells
-/// which lock.
+/// which lock. And without those of which a branch ends early.
 enum class Take { usable, all };
 
 /// InvalidInput where the pool has no curve, was pressed by several engines, or differs from run to run in

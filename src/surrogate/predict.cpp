@@ -25,7 +25,7 @@ std::vector<double> input_of(const Surrogate& s, const std::vector<double>& coor
   return input;
 }
 
-Prediction predict(const Surrogate& s, const Description& d, const Loading* guide) {
+Prediction predict(const Surrogate& s, const Description& d, const CoarsePress* guide) {
   const Said said = said_of(s, d, guide);
   const double band = guide ? s.guide->band : s.band;
   auto [alpha, beta] = alpha_beta(said.work, said.exponent);

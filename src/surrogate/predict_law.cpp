@@ -17,8 +17,8 @@ void guide(Answer& answer, const material::Material& material, const Description
            const std::function<void(const std::string&)>& say) {
   const auto& s = answer.surrogate;
   try {
-    const auto loading = press_guide(s, material);
-    answer.prediction = predict(s, description, &loading);
+    const auto coarse = press_guide(s, material);
+    answer.prediction = predict(s, description, &coarse);
     answer.assessment = assess(s, description, answer.prediction);
     answer.guided = true;
   } catch (const core::ConvergenceError& e) {

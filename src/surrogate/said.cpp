@@ -40,20 +40,27 @@ double work_along(const PressedBranch& branch) {
   return work;
 }
 
-void add_loading(Said& said, const Layer& layer, const std::vector<double>& at) {
-  add(said.F, values_at(layer.force, layer.inputs, at));
-  add(said.F_variance, variances_at(layer.force, layer.inputs, at));
-  add(said.a, values_at(layer.radius, layer.inputs, at));
-}
-
 } // namespace
 
-void add(std::vector<double>& sum, const std::vector<double>& more) {
+void add(std::vector<double>& sum, const std::vector<double>& more, double factor) {
   if (sum.empty()) sum.resize(more.size());
-  for (std::size_t j = 0; j < more.size(); ++j) sum[j] += more[j];
+  for (std::size_t j = 0; j < more.size(); ++j) sum[j] += factor * more[j];
+}
+
+double spread_of(const std::vector<double>& knots, const std::vector<double>& ln_F) {
+  const auto from = std::lower_bound(knots.begin(), knots.end(), 0.3 - 1e-9) - knots.begin();
+  if (from == std::ssize(knots)) return 1;
+  const double growth = std::exp(ln_F.back() - ln_F[static_cast<std::size_t>(from)]);
+  return std::clamp(std::pow(growth / 1.6, 1.5), 1.0, 8.0);
 }
 
 double work_of(double alpha, double beta) { return -std::log(beta * (1 + alpha)); }
+
+std::vector<double> works_of(const std::vector<double>& alpha, const std::vector<double>& beta) {
+  std::vector<double> works;
+  for (std::size_t b = 0; b < alpha.size(); ++b) works.push_back(work_of(alpha[b], beta[b]));
+  return works;
+}
 
 AlphaBeta alpha_beta(const std::vector<double>& work, const std::vector<double>& exponent) {
   AlphaBeta both;
@@ -75,19 +82,34 @@ std::vector<double> exponentials(const std::vector<double>& values, std::size_t 
   return result;
 }
 
-Said said_of(const Surrogate& s, const Description& d, const Loading* guide) {
-  const auto at = input_of(s, d.coordinates);
+Said said_at(const Surrogate& s, const std::vector<double>& at, const CoarsePress* guide, Want want) {
   Said said;
   if (guide) {
     said.F = without_ripples(s.knots, logarithms(guide->F_bar));
     said.a = without_ripples(s.knots, logarithms(guide->a_bar));
-    add_loading(said, s.guide->change, at);
+    said.work = works_of(guide->alpha, guide->beta);
+    said.exponent = logarithms(guide->alpha);
   }
-  for (std::size_t l = guide ? 1 : 0; l < s.layers.size(); ++l) add_loading(said, s.layers[l], at);
-  for (const auto& layer : s.layers) {
-    add(said.work, values_at(layer.work, layer.inputs, at));
-    add(said.exponent, values_at(layer.exponent, layer.inputs, at));
+  const bool loaded = guide, unloaded = !said.work.empty();
+  for (std::size_t l = 0; l < s.layers.size(); ++l) {
+    const Layer& layer = s.layers[l];
+    if (l > 0) said.spread = spread_of(s.knots, said.F);
+    if (l > 0 || !loaded) {
+      add(said.F, values_at(layer.force, layer.inputs, at), said.spread);
+      add(said.a, values_at(layer.radius, layer.inputs, at));
+      if (want == Want::variances)
+        add(said.F_variance, variances_at(layer.force, layer.inputs, at), said.spread * said.spread);
+    }
+    if (l > 0 || !unloaded) {
+      add(said.work, values_at(layer.work, layer.inputs, at), said.spread);
+      add(said.exponent, values_at(layer.exponent, layer.inputs, at));
+    }
   }
+  return said;
+}
+
+Said said_of(const Surrogate& s, const Description& d, const CoarsePress* guide) {
+  Said said = said_at(s, input_of(s, d.coordinates), guide, Want::variances);
   if (s.model == "von-mises") {
     const double off = per_nu * (d.numbers[1].value - s.ranges[1].low);
     for (double& variance : said.F_variance) variance += off * off;

@@ -57,12 +57,8 @@ std::vector<std::string> output_names() {
 std::vector<double> outputs_of(const Surrogate& s, const material::Model& model) {
   const auto d = describe(model);
   const auto at = input_of(s, d.coordinates);
-  std::vector<double> F, work;
-  for (const auto& layer : s.layers) {
-    add(F, values_at(layer.force, layer.inputs, at));
-    add(work, values_at(layer.work, layer.inputs, at));
-  }
-  F = exponentials(F, 0, F.size());
+  const Said said = said_at(s, at);
+  const auto F = exponentials(said.F, 0, said.F.size());
   std::vector<double> outputs;
   const auto knot = [&](double x) {
     return static_cast<std::size_t>(std::lower_bound(s.knots.begin(), s.knots.end(), x - 1e-9) -
@@ -75,7 +71,7 @@ std::vector<double> outputs_of(const Surrogate& s, const material::Model& model)
   outputs.push_back(put_in);
   const double F_max = F[knot(overlaps.back())];
   const double hertz = std::pow(0.75 * std::numbers::pi * F_max / d.E_flat, 2.0 / 3); // ES (12)
-  outputs.push_back(F_max * hertz * std::exp(work.back()));
+  outputs.push_back(F_max * hertz * std::exp(said.work.back()));
   return outputs;
 }
 
@@ -110,9 +106,7 @@ Sensitivity sobol(const Surrogate& s, const material::Model& model, double withi
   const auto d = describe(model);
   if (const auto why = refusal(s, d); !why.empty())
     throw core::InvalidInput(fmt::format("pool {}: {}", s.pool, why));
-  std::vector<double> ln_F;
-  for (const auto& layer : s.layers)
-    add(ln_F, values_at(layer.force, layer.inputs, input_of(s, d.coordinates)));
+  const auto ln_F = said_at(s, input_of(s, d.coordinates)).F;
   if (grows(locked_growth, s.knots, exponentials(ln_F, 0, ln_F.size())))
     throw core::InvalidInput(
         fmt::format("pool {}: it locks, and pools know nothing of such materials", s.pool));

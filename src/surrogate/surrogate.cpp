@@ -1,6 +1,7 @@
 #include "surrogate/surrogate.hpp"
 
 #include "core/error.hpp"
+#include "fit/unloading.hpp"
 #include "press/press.hpp"
 #include "study/grid.hpp"
 #include "surrogate/said.hpp"
@@ -64,22 +65,21 @@ Layer fit_change(const Surrogate& s, const PoolData& fine, const PoolData& coars
   const auto both = in_both(fine, coarse);
   std::vector<const Pressed*> runs;
   for (const auto& one : both) runs.push_back(&fine.runs[one.fine]);
-  return fit_layer(s, change(tables_of(fine), tables_of(coarse), both), runs);
+  return fit_layer(s, change(tables_of(fine), tables_of(coarse), both, s.knots), runs);
 }
 
 } // namespace
 
 ReadPools read_pools(const std::filesystem::path& fine, const std::vector<std::string>& with,
-                     const std::string& coarse, const std::string& guide) {
-  ReadPools pools{read_pool_data(fine), {}, {}};
+                     const std::string& coarse) {
+  ReadPools pools{read_pool_data(fine), {}};
   for (const auto& pool : with) append(pools.fine, read_pool_data(pool));
   if (!coarse.empty()) pools.coarse = read_pool_data(coarse);
-  if (!guide.empty()) pools.guide = read_pool_data(guide);
   return pools;
 }
 
 Surrogate fit_surrogate(const Pools& pools) {
-  const auto& [fine, coarse, guide] = pools;
+  const auto& [fine, coarse] = pools;
   Surrogate s;
   const PoolData& first = coarse ? *coarse : fine;
   s.pool = fine.name;
@@ -101,36 +101,37 @@ Surrogate fit_surrogate(const Pools& pools) {
   // A layer of changes has few materials for its coordinates and is fitted to them too closely.
   s.band = band_of(coarse ? leave_out(s, pools, Left::anew) : errors);
   s.left_out = summary_of(errors, s.band);
-  if (!guide) return s;
-  if (!coarse)
-    throw core::InvalidInput(fmt::format("the guide {} wants coarse presses as well", guide->name));
-  s.guide = Guide{guide->elements, guide->step_max, fit_change(s, *coarse, *guide), 0, {}};
-  const auto guided = leave_out_guided(s, pools);
-  s.guide->band = band_of(leave_out_guided(s, pools, Left::anew));
-  s.guide->left_out = summary_of(guided, s.guide->band);
+  if (!coarse) return s;
+  s.guide = Guide{coarse->elements, coarse->step_max, band_of(leave_out_guided(s, pools, Left::anew)), {}};
+  s.guide->left_out = summary_of(leave_out_guided(s, pools), s.guide->band);
   return s;
 }
 
-Loading press_guide(const Surrogate& s, const material::Material& material) {
+CoarsePress press_guide(const Surrogate& s, const material::Material& material) {
   press::Simple simple;
   simple.delta_bar_max = s.knots.back();
+  simple.unload_from = s.unload_delta_bar;
   simple.elements = s.guide->elements;
   simple.step_max = s.guide->step_max;
   const auto result = press::press({material, 1e-3, simple});
-  Loading loading;
+  CoarsePress said;
   for (const auto& point : study::on_grid(result.curve, 0.01)) { // as the pools have it
-    if (loading.F_bar.size() == s.knots.size()) break;
-    if (std::abs(point.delta_bar - s.knots[loading.F_bar.size()]) > 1e-9) continue;
-    loading.F_bar.push_back(point.z.F_bar);
-    loading.a_bar.push_back(point.z.a_bar);
+    if (said.F_bar.size() == s.knots.size()) break;
+    if (point.branch_id != 0 || std::abs(point.delta_bar - s.knots[said.F_bar.size()]) > 1e-9) continue;
+    said.F_bar.push_back(point.z.F_bar);
+    said.a_bar.push_back(point.z.a_bar);
   }
-  if (loading.F_bar.size() < s.knots.size())
+  if (said.F_bar.size() < s.knots.size())
     throw core::ConvergenceError(
         fmt::format("{}: the press that guides the prediction did not get to delta/R0 = {:.4g}; "
                     "`platen derive` presses on more elements",
                     material.name, s.knots.back()),
         0, 0, 0);
-  return loading;
+  const auto fits = fit::fit_unloading(result.curve).fits;
+  for (const auto& one : fits)
+    if (fits.size() == s.unload_delta_bar.size())
+      said.alpha.push_back(one.alpha), said.beta.push_back(one.beta);
+  return said;
 }
 
 } // namespace platen::surrogate

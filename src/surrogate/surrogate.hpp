@@ -7,8 +7,8 @@
 // these, and a second one of what the logarithms change from coarse to fine, in the materials that were
 // pressed on both. It is small and smooth, and few presses tell it.
 //
-// Where even that is not certain enough, a material is pressed on very few elements first, its guide; then
-// the first layer is of what the logarithms change from there.
+// A material may be pressed on that coarse mesh before it is predicted, its guide; then its own curve stands
+// in place of the first layer.
 
 #include "surrogate/components.hpp"
 #include "surrogate/description.hpp"
@@ -28,9 +28,10 @@ struct Layer {
   Components force, radius, work, exponent;
 };
 
-/// Force and contact radius at the knots.
-struct Loading {
-  std::vector<double> F_bar, a_bar;
+/// What a press on the coarse mesh says of a material.
+struct CoarsePress {
+  std::vector<double> F_bar, a_bar; ///< at the knots
+  std::vector<double> alpha, beta;  ///< of the unloadings; none where one is too short to be fitted
 };
 
 /// Relative errors of the pool's materials, each predicted without itself: of five in a hundred larger, and
@@ -48,11 +49,10 @@ struct LeaveOneOut {
   double coverage = 0; ///< of the 90 % band: share of all points of the left-out curves that lie in it
 };
 
-/// A press on few elements that comes first.
+/// The coarse mesh, and how good a prediction is that starts with a press on it.
 struct Guide {
   int elements = 0;
   double step_max = 0;
-  Layer change; ///< from it to the coarse presses; nothing of unloadings
   double band = 1.645;
   LeaveOneOut left_out;
 };
@@ -81,24 +81,22 @@ struct Surrogate {
   std::optional<Guide> guide;
 };
 
-/// The pools of a surrogate: the same study on fewer and fewer elements; null where there is none. A guide
-/// wants coarse presses.
+/// The pools of a surrogate: the same study, and on fewer elements; null where there is none.
 struct Pools {
   const PoolData& fine;
   const PoolData* coarse = nullptr;
-  const PoolData* guide = nullptr;
 };
 
 /// The same, and whoever has them.
 struct ReadPools {
   PoolData fine;
-  std::optional<PoolData> coarse, guide;
+  std::optional<PoolData> coarse;
 
-  Pools all() const { return {fine, coarse ? &*coarse : nullptr, guide ? &*guide : nullptr}; }
+  Pools all() const { return {fine, coarse ? &*coarse : nullptr}; }
 };
 /// From their folders; `with`: of other materials that were pressed alike. An empty name: there is none.
 ReadPools read_pools(const std::filesystem::path& fine, const std::vector<std::string>& with,
-                     const std::string& coarse = "", const std::string& guide = "");
+                     const std::string& coarse = "");
 
 /// Deterministic. InvalidInput where the pools do not belong together. Throws Interrupted.
 Surrogate fit_surrogate(const Pools&);
@@ -134,10 +132,10 @@ struct Prediction {
 };
 
 /// Of a material of the surrogate's model; whether it may be believed is not asked here.
-Prediction predict(const Surrogate&, const Description&, const Loading* guide = nullptr);
-/// The guide of a surrogate that wants one: a press, a part of a second. ConvergenceError where it does not
-/// get to the end.
-Loading press_guide(const Surrogate&, const material::Material&);
+Prediction predict(const Surrogate&, const Description&, const CoarsePress* guide = nullptr);
+/// The guide of a surrogate of two layers: a press of a second or two. ConvergenceError where it does not get
+/// to the end.
+CoarsePress press_guide(const Surrogate&, const material::Material&);
 /// The input that stands for a material: coordinates over their ranges.
 std::vector<double> input_of(const Surrogate&, const std::vector<double>& coordinates);
 

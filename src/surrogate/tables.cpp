@@ -27,10 +27,7 @@ Tables tables_of(const PoolData& data) {
                 logarithms(data, &Pressed::a_bar),
                 {},
                 logarithms(data, &Pressed::alpha)};
-  for (const auto& run : data.runs) {
-    auto& row = tables.work.emplace_back();
-    for (std::size_t b = 0; b < run.alpha.size(); ++b) row.push_back(work_of(run.alpha[b], run.beta[b]));
-  }
+  for (const auto& run : data.runs) tables.work.push_back(works_of(run.alpha, run.beta));
   if (data.elements < ripple_free_elements)
     for (const auto table : {&Tables::force, &Tables::radius})
       for (auto& row : tables.*table) row = without_ripples(data.knots, row);
@@ -39,7 +36,7 @@ Tables tables_of(const PoolData& data) {
 
 std::vector<Both> in_both(const PoolData& fine, const PoolData& coarse) {
   if (fine.engine != coarse.engine || fine.knots != coarse.knots ||
-      (!coarse.unload_delta_bar.empty() && fine.unload_delta_bar != coarse.unload_delta_bar) ||
+      fine.unload_delta_bar != coarse.unload_delta_bar ||
       fine.runs.front().description.model != coarse.runs.front().description.model)
     throw core::InvalidInput(
         fmt::format("pools {} and {} differ in model, engine, or the overlaps at which their curves "
@@ -62,14 +59,19 @@ std::vector<Both> in_both(const PoolData& fine, const PoolData& coarse) {
   return both;
 }
 
-Tables change(const Tables& fine, const Tables& coarse, const std::vector<Both>& both) {
+Tables change(const Tables& fine, const Tables& coarse, const std::vector<Both>& both,
+              const std::vector<double>& knots) {
   Tables changes;
-  for (const auto table : {&Tables::force, &Tables::radius, &Tables::work, &Tables::exponent})
-    for (const auto [i, j] : both) {
+  for (const auto [i, j] : both) {
+    const double spread = spread_of(knots, coarse.force[j]);
+    for (const auto& [table, over] : {std::pair{&Tables::force, spread},
+                                      {&Tables::radius, 1.0},
+                                      {&Tables::work, spread},
+                                      {&Tables::exponent, 1.0}}) {
       auto& row = (changes.*table).emplace_back((fine.*table)[i]);
-      row.resize((coarse.*table)[j].size()); // a guide has no unloadings
-      for (std::size_t k = 0; k < row.size(); ++k) row[k] -= (coarse.*table)[j][k];
+      for (std::size_t k = 0; k < row.size(); ++k) row[k] = (row[k] - (coarse.*table)[j][k]) / over;
     }
+  }
   return changes;
 }
 

@@ -8,7 +8,7 @@
 
 namespace platen::surrogate {
 
-/// A row a run: ln F_bar, ln a_bar at the knots, without ripples; of each unloading what work_of() says, and
+/// A row a run: ln F_bar, ln a_bar at the knots, without ripples; of each unloading what works_of() says, and
 /// ln alpha.
 struct Tables {
   Table force, radius, work, exponent;
@@ -22,7 +22,8 @@ struct Both {
 /// InvalidInput where the pools do not belong together, or have too few in common.
 std::vector<Both> in_both(const PoolData& fine, const PoolData& coarse);
 
-/// What the logarithms change from coarse to fine.
-Tables change(const Tables& fine, const Tables& coarse, const std::vector<Both>& both);
+/// What the logarithms change from coarse to fine; of force and work over spread_of() of the coarse curve.
+Tables change(const Tables& fine, const Tables& coarse, const std::vector<Both>& both,
+              const std::vector<double>& knots);
 
 } // namespace platen::surrogate

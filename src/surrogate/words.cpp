@@ -60,15 +60,14 @@ std::string words_of(const Surrogate& s, const std::string& file, const Pools* p
         layer.force.basis.size(), layer.radius.basis.size(), layer.work.basis.size(),
         layer.exponent.basis.size());
   if (const auto* first = pools ? coarse ? pools->coarse : &pools->fine : nullptr;
-      first && first->too_steep + first->locked > 0)
+      first && first->not_unloaded + first->locked > 0)
     text += fmt::format(
-        "  left aside: {} that unload too steeply for alpha and beta to be fitted, {} that lock\n",
-        first->too_steep, first->locked);
+        "  left aside: {} of which an unloading ends early or is too steep to be fitted, {} that lock\n",
+        first->not_unloaded, first->locked);
   text += errors("left out one by one", s.left_out) + band(s.band);
   if (s.guide)
-    text +=
-        errors(fmt::format("each with a press on {} elements first", s.guide->elements), s.guide->left_out) +
-        band(s.guide->band);
+    text += errors(fmt::format("each pressed on {} elements first", s.guide->elements), s.guide->left_out) +
+            band(s.guide->band);
   return text;
 }
 

@@ -70,20 +70,20 @@ TEST(LeaveOneOut, OfElasticSpheres) {
 
 TEST(LeaveOneOut, OfPowders) {
   const auto s = read_surrogate(pools / "powders/surrogate.txt");
-  const auto fine = read_pool_data(pools / "powders"), coarse = read_pool_data(pools / "powders-coarse"),
-             guide = read_pool_data(pools / "powders-guide");
-  const auto quick = summary_of(leave_out(s, {fine, &coarse, &guide}), s.band);
+  const auto fine = read_pool_data(pools / "powders"), coarse = read_pool_data(pools / "powders-coarse");
+  const auto quick = summary_of(leave_out(s, {fine, &coarse}), s.band);
   EXPECT_LT(quick.force.median, 0.025);
   EXPECT_LT(quick.radius.median, 0.01);
   EXPECT_LT(quick.work.median, 0.033);
   EXPECT_LT(quick.work.p95, 0.19);
   expect_same(quick, s.left_out);
-  const auto guided = summary_of(leave_out_guided(s, {fine, &coarse, &guide}), s.guide->band);
-  EXPECT_LT(guided.force.median, 0.011);
-  EXPECT_LT(guided.force.p95, 0.04);
-  EXPECT_LT(guided.radius.p95, 0.03);
-  EXPECT_LT(guided.work.median, 0.026);
-  EXPECT_LT(guided.work.p95, 0.14);
+  const auto guided = summary_of(leave_out_guided(s, {fine, &coarse}), s.guide->band);
+  EXPECT_LT(guided.force.median, 0.005);
+  EXPECT_LT(guided.force.p95, 0.02);
+  EXPECT_LT(guided.radius.p95, 0.01);
+  EXPECT_LT(guided.work.median, 0.01);
+  EXPECT_LT(guided.work.p95, 0.045);
+  EXPECT_LT(guided.residual.p95, 0.01);
   expect_same(guided, s.guide->left_out);
 }
 
@@ -97,12 +97,12 @@ TEST(Surrogate, SaysPublishedPowders) {
     const auto& name = published.runs[i].material.name;
     EXPECT_EQ(guided[i].locks, name == "Dical Emcompress") << name;
     if (guided[i].locks) continue;
-    EXPECT_LT(guided[i].force, 0.03) << name;
-    EXPECT_LT(guided[i].radius, 0.025) << name;
-    EXPECT_LT(quick[i].force, 0.12) << name;
+    EXPECT_LT(guided[i].force, 0.015) << name;
+    EXPECT_LT(guided[i].radius, 0.015) << name;
+    EXPECT_LT(quick[i].force, 0.1) << name;
   }
   const auto summary = summary_of(guided, s.guide->band);
-  EXPECT_LT(summary.force.median, 0.015);
+  EXPECT_LT(summary.force.median, 0.007);
   EXPECT_GT(summary.coverage, 0.85);
 }
 
@@ -121,22 +121,23 @@ TEST(Surrogate, SaysFreshGranulesAndMetals) {
   EXPECT_GT(metals.coverage, 0.85);
 }
 
-// Drawn at random from the same box, by another seed.
+// Drawn at random from the same box, by another seed. Each third is pressed coarsely; all of them: the slow
+// test.
 TEST(Surrogate, SaysFreshPowders) {
   const auto s = read_surrogate(pools / "powders/surrogate.txt");
-  const auto fresh = read_pool_data(pools / "fresh-powders", Take::all);
+  auto fresh = read_pool_data(pools / "fresh-powders", Take::all);
   ASSERT_EQ(fresh.runs.size(), 30U);
   const auto quick = summary_of(errors_beside(s, fresh), s.band);
   EXPECT_LE(quick.locked, 9);
   EXPECT_LT(quick.force.median, 0.03);
   EXPECT_GT(quick.coverage, 0.85);
+  for (std::size_t i = 1; i < 10; ++i) fresh.runs[i] = std::move(fresh.runs[3 * i]);
+  fresh.runs.erase(fresh.runs.begin() + 10, fresh.runs.end());
   const auto guided = summary_of(errors_beside(s, fresh, true), s.guide->band);
-  EXPECT_LE(guided.locked, 9);
-  EXPECT_LT(guided.force.median, 0.015);
-  EXPECT_LT(guided.force.worst, 0.06);
-  EXPECT_LT(guided.radius.p95, 0.03);
-  EXPECT_GT(guided.coverage, 0.85);
-  EXPECT_LT(guided.coverage, 0.95);
+  EXPECT_LE(guided.locked, 3);
+  EXPECT_LT(guided.force.median, 0.007);
+  EXPECT_LT(guided.force.worst, 0.03);
+  EXPECT_LT(guided.radius.p95, 0.015);
 }
 
 // Metals of E/sigma_y = 30 and 300 at nu = 0, 0.2, 0.4 from those at 0.3.
