@@ -27,6 +27,7 @@ from ._material import (
     von_mises,
     yield_from_crushing,
     yield_from_hardness,
+    yield_from_heckel,
 )
 from ._measured import Calibration, Measurement, calibrate, fit, import_curve
 from ._pool import Beside, Methods, Pool, PoolCheck, Refinement, Sensitivity, Surrogate
@@ -41,5 +42,6 @@ __all__ = [
     "Response", "Sensitivity", "State", "Study", "StudyStatus", "Surrogate", "Validity", "Warning",
     "calibrate", "compare", "dpc", "drucker_prager", "elastic", "engine", "fit", "import_curve", "keys", "law", "laws",
     "materials", "mohr_coulomb", "press", "reproduce", "vmdc", "von_mises", "yield_from_crushing", "yield_from_hardness",
+    "yield_from_heckel",
     "__version__",
 ]  # fmt: skip

@@ -313,6 +313,12 @@ def yield_from_hardness(*, E: float, nu: float, hardness: float) -> float:
     return float(_core.yield_from_hardness(float(E), float(nu), float(hardness)))
 
 
+def yield_from_heckel(*, E: float, nu: float, pressure: float) -> float:
+    """Yield stress [Pa] of a perfectly plastic material from the yield pressure [Pa] of its tablets out of the die, P_y = 3
+    sigma_y (Heckel), as `platen predict --heckel_Pa`. InvalidInput where the grains would spring back."""
+    return float(_core.yield_from_heckel(float(E), float(nu), float(pressure)))
+
+
 def yield_from_crushing(*, E: float, nu: float, force: float, overlap: float, radius: float) -> float:
     """Yield stress [Pa] of a perfectly plastic metal for a sphere of `radius` [m] to carry `force` [N] between two plates at the
     `overlap` [m] of each, half of what they came together, as `platen predict --crush_force_N`. InvalidInput where none

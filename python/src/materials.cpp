@@ -189,6 +189,7 @@ void add_materials(nb::module_& m) {
   m.def("from_compaction", &from_compaction, nb::arg("test"), nb::arg("strengths"), nb::arg("rho_r0"),
         nb::arg("model"), nb::arg("name"),
         "A card from die compaction and tablet strengths, and how it was found.");
+  m.def("yield_from_heckel", &surrogate::yield_from_heckel, nb::arg("E"), nb::arg("nu"), nb::arg("pressure"));
   m.def("yield_from_hardness", &surrogate::yield_from_hardness, nb::arg("E"), nb::arg("nu"),
         nb::arg("hardness"), "[Pa]");
   m.def(

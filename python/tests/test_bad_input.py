@@ -293,6 +293,7 @@ def test_fuzz_initial_yield(key, value):
 @given(numbers, numbers, numbers, numbers, numbers)
 def test_fuzz_yield_stresses(E, nu, one, other, radius):
     for call in (lambda: platen.yield_from_hardness(E=E, nu=nu, hardness=one),
+                 lambda: platen.yield_from_heckel(E=E, nu=nu, pressure=one),
                  lambda: platen.yield_from_crushing(E=E, nu=nu, force=one, overlap=other, radius=radius)):  # fmt: skip
         try:
             assert np.isfinite(call()) and call() > 0

@@ -98,6 +98,7 @@ def test_a_yield_stress_from_what_people_know(command):
     subprocess.run([*line, "--hardness_Pa", "56e6", "-o", "hardness.toml"], check=True, capture_output=True)
     sigma_y = platen.yield_from_hardness(E=2e9, nu=0.3, hardness=56e6)
     assert sigma_y == pytest.approx(20e6)  # Tabor: H = 2.8 sigma_y
+    assert platen.yield_from_heckel(E=2e9, nu=0.3, pressure=60e6) == pytest.approx(20e6)  # Heckel: P_y = 3 sigma_y
     assert platen.von_mises(sigma_y=sigma_y, E=2e9, nu=0.3).predict().parameters.sigma_ref_Pa == pytest.approx(
         platen.Law.load("hardness.toml").parameters.sigma_ref_Pa)  # fmt: skip
     ball = platen.von_mises(sigma_y=20e6, E=2e9, nu=0.3).predict().on_plane(radius=1e-3)

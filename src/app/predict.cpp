@@ -21,7 +21,8 @@ namespace {
 
 struct Options {
   std::string material, output = "law.toml", law, variant = "published";
-  std::optional<double> E_Pa, nu, sigma_y_Pa, hardness_Pa, crush_force_N, crush_overlap_m, radius_m;
+  std::optional<double> E_Pa, nu, sigma_y_Pa, hardness_Pa, heckel_Pa, crush_force_N, crush_overlap_m,
+      radius_m;
   bool quick = false, extrapolate = false, json = false;
 };
 
@@ -33,6 +34,13 @@ double yield_stress_of(const Options& o) {
         "note: sigma_y = hardness/2.8 = {:.4g} Pa (Tabor: the indentation is fully plastic, and nothing "
         "hardens)",
         sigma_y));
+    return sigma_y;
+  }
+  if (o.heckel_Pa) {
+    const double sigma_y = surrogate::yield_from_heckel(*o.E_Pa, *o.nu, *o.heckel_Pa);
+    core::say_line(fmt::format("note: sigma_y = P_y/3 = {:.4g} Pa (Heckel: solid grains, perfectly plastic, "
+                               "measured out of the die)",
+                               sigma_y));
     return sigma_y;
   }
   if (o.crush_force_N || o.crush_overlap_m || o.radius_m) {
@@ -53,7 +61,7 @@ double yield_stress_of(const Options& o) {
 
 material::Material material_of(const Options& o) {
   const bool crushing = o.crush_force_N || o.crush_overlap_m || o.radius_m;
-  const bool flags = o.E_Pa || o.nu || o.sigma_y_Pa || o.hardness_Pa || crushing;
+  const bool flags = o.E_Pa || o.nu || o.sigma_y_Pa || o.hardness_Pa || o.heckel_Pa || crushing;
   if (flags && !o.material.empty())
     throw core::InvalidInput(
         fmt::format("{}: give a material, or --E_Pa, --nu and --sigma_y_Pa, not both", o.material));
@@ -63,10 +71,11 @@ material::Material material_of(const Options& o) {
   }
   for (const auto& [name, value] : {std::pair{"--E_Pa", o.E_Pa}, {"--nu", o.nu}})
     if (!value) refuse_missing(name);
-  if (o.sigma_y_Pa.has_value() + o.hardness_Pa.has_value() + crushing > 1)
-    throw core::InvalidInput("--sigma_y_Pa, --hardness_Pa, --crush_force_N with --crush_overlap_m and "
-                             "--radius_m: each says the yield "
-                             "stress; give one");
+  if (o.sigma_y_Pa.has_value() + o.hardness_Pa.has_value() + o.heckel_Pa.has_value() + crushing > 1)
+    throw core::InvalidInput(
+        "--sigma_y_Pa, --hardness_Pa, --heckel_Pa, --crush_force_N with --crush_overlap_m and "
+        "--radius_m: each says the yield "
+        "stress; give one");
   const double sigma_y = yield_stress_of(o);
   // Read as a card would be, so that what is refused there is refused here.
   const auto card = core::parse_toml(
@@ -211,6 +220,10 @@ void add_predict(Command program) {
                   "instead of the yield stress: hardness, H = 2.8 sigma_y (Tabor)")
       .type_name("NUMBER");
   command
+      .add_option("--heckel_Pa", o->heckel_Pa,
+                  "instead: yield pressure of tablets, out of the die, P_y = 3 sigma_y (Heckel)")
+      .type_name("NUMBER");
+  command
       .add_option(
           "--crush_force_N", o->crush_force_N,
           "instead: the force that a sphere carries between two plates, with --crush_overlap_m, --radius_m")
@@ -228,7 +241,7 @@ void add_predict(Command program) {
       .type_name("NAME");
   command.add_option("--variant", o->variant, "form of edmans-sinka").type_name("V").capture_default_str();
   command.add_flag("--quick", o->quick,
-                   "powders: without the press on few elements that comes first, 0.2 s; less sure");
+                   "powders: without the press on few elements that comes first, a second or two; less sure");
   command.add_flag("--extrapolate", o->extrapolate, "outside of what was pressed: guess, with a warning");
   command.add_flag("--json", o->json, "for a machine to read");
   command.footer("Example: platen predict mcc-ph-200 -o law.toml\n"

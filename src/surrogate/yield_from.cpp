@@ -38,6 +38,20 @@ double yield_from_hardness(double E, double nu, double H) {
   return sigma_y;
 }
 
+double yield_from_heckel(double E, double nu, double P_y) {
+  constexpr double stiff = 30;
+  refuse_unless_elastic(E, nu);
+  if (!(P_y > 0) || !std::isnormal(P_y / 3))
+    throw core::InvalidInput(fmt::format("heckel_Pa = {:.4g} is no number above 0", P_y));
+  const double sigma_y = P_y / 3;
+  if (E / sigma_y < stiff)
+    throw core::InvalidInput(
+        fmt::format("heckel_Pa = {:.4g} with E_Pa = {:.4g}: such grains spring back (E/sigma_y = {:.3g}, "
+                    "below {}), and P_y = 3 sigma_y does not hold; give --sigma_y_Pa",
+                    P_y, E, E / sigma_y, stiff));
+  return sigma_y;
+}
+
 double yield_from_crushing(double E, double nu, double F, double delta, double R) {
   refuse_unless_elastic(E, nu);
   if (!(R > 0) || !(F > 0) || !(delta / R >= 0.01 && delta / R <= 0.5))

@@ -9,6 +9,11 @@ namespace platen::surrogate {
 /// a cone of beta = 19.7 degrees to the surface).
 double yield_from_hardness(double E_Pa, double nu, double H_Pa);
 
+/// From the yield pressure of a powder in tablets, the slope of Heckel's line ln 1/(1 - D) = P/P_y + A out of
+/// the die: sigma_y = P_y/3 (Heckel 1961), in Pa. It takes the grains for solid and perfectly plastic, and so
+/// hard that they do not spring back: InvalidInput for E/sigma_y below 30.
+double yield_from_heckel(double E_Pa, double nu, double P_y_Pa);
+
 /// From the force F that a sphere of radius R carries between two plates at the overlap delta of each (half
 /// of what the plates have come together): that sigma_y for which the surrogate of perfectly plastic metals
 /// says F. InvalidInput where delta/R is not in 0.01 to 0.5, or no sigma_y of the pool's range gives F: a

@@ -21,6 +21,13 @@ TEST(YieldFromHardness, IsRefusedWhereTheIndentationIsPartlyElastic) {
   EXPECT_THROW(yield_from_hardness(2e11, 0.6, 1e9), core::InvalidInput);
 }
 
+TEST(YieldFromHeckel, IsAThirdOfTheYieldPressure) {
+  EXPECT_DOUBLE_EQ(yield_from_heckel(5e9, 0.3, 75e6), 25e6);
+  EXPECT_THROW(yield_from_heckel(5e9, 0.3, 6e8), core::InvalidInput); // springs back
+  EXPECT_THROW(yield_from_heckel(5e9, 0.3, 0), core::InvalidInput);
+  EXPECT_THROW(yield_from_heckel(5e9, 0.3, std::nan("")), core::InvalidInput);
+}
+
 // CalculiX 2.20, three meshes: von Mises, E/sigma_y = 100, nu = 0.3, F/(pi R^2 sigma_y) at delta/R.
 TEST(YieldFromCrushing, GivesBackTheStressOfAKnownSphere) {
   constexpr double sigma_y = 2e7, E = 100 * sigma_y, R = 1e-3;
