@@ -1,7 +1,7 @@
 """Contact laws for plastic particles: material, virtual press, law with its error, arrays of contacts.
 
     granule = platen.Material.load("mcc-ph-200")
-    law = granule.predict()                       # at once; granule.derive() presses
+    law = granule.predict()                       # seconds; granule.derive() presses for longer
     contact = law.pair(radius=0.5e-3, partner=law, partner_radius=0.3e-3)
     contact(overlaps).force
 
