@@ -35,9 +35,76 @@ Inputs rows_at(const Inputs& inputs, const std::vector<Eigen::Index>& which) {
 
 } // namespace
 
+namespace {
+
+/// R = L L^T over the nearest inputs, a row an input. From place to place few of them change, and those were
+/// the farthest: the rows before the first one that has gone stay.
+class NearFactor {
+ public:
+  /// k^T R^-1 k.
+  double explained(const MatrixXd& R, std::vector<std::size_t> near, const Eigen::ArrayXd& k) {
+    keep(near, R.rows());
+    for (const std::size_t input : near) append(R, input);
+    solution_.clear();
+    double sum = 0;
+    for (std::size_t i = 0; i < order_.size(); ++i) {
+      const double z = (k(index(order_[i])) - product(row(i), solution_.data(), i)) / row(i)[i];
+      solution_.push_back(z);
+      sum += z * z;
+    }
+    return sum;
+  }
+
+ private:
+  static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
+  double* row(std::size_t i) { return L_.data() + i * most_for_variance; }
+
+  /// What of `near`, nearest first, is there already goes from it.
+  void keep(std::vector<std::size_t>& near, Eigen::Index inputs) {
+    std::vector<char> wanted(static_cast<std::size_t>(inputs));
+    for (const std::size_t input : near) wanted[input] = 1;
+    order_.erase(std::find_if(order_.begin(), order_.end(), [&](std::size_t i) { return !wanted[i]; }),
+                 order_.end());
+    for (const std::size_t input : order_) wanted[input] = 0;
+    std::erase_if(near, [&](std::size_t i) { return !wanted[i]; });
+  }
+
+  void append(const MatrixXd& R, std::size_t input) {
+    L_.resize(most_for_variance * most_for_variance);
+    const std::size_t n = order_.size();
+    double* own = row(n);
+    for (std::size_t i = 0; i < n; ++i)
+      own[i] = (R(index(order_[i]), index(input)) - product(row(i), own, i)) / row(i)[i];
+    own[n] = std::sqrt(R(index(input), index(input)) - product(own, own, n));
+    order_.push_back(input);
+  }
+
+  static double product(const double* x, const double* y, std::size_t count) {
+    using T = core::Lanes;
+    constexpr std::size_t width = core::lanes<T>;
+    T sum{}, a, b;
+    std::size_t i = 0;
+    for (; i + width <= count; i += width) {
+      std::memcpy(&a, x + i, sizeof a);
+      std::memcpy(&b, y + i, sizeof b);
+      sum += a * b;
+    }
+    double all = 0;
+    for (; i < count; ++i) all += x[i] * y[i];
+    for (std::size_t n = 0; n < width; ++n) all += sum[n];
+    return all;
+  }
+
+  std::vector<std::size_t> order_;
+  std::vector<double> L_, solution_;
+};
+
+} // namespace
+
 /// R = L L^T of all inputs; of so many that the nearest are the smaller part, R alone.
 struct Known {
   MatrixXd L_inverse, inverse, R;
+  mutable NearFactor near;
 };
 
 namespace {
@@ -163,12 +230,18 @@ double variance_at(const Process& p, const Inputs& inputs, std::span<const doubl
   if (p.known && p.known->R.size() == 0) return variance(explained_by_known(p, inputs, at));
   std::size_t asked = 0;
   const Eigen::ArrayXd r = distances(p, inputs, at), all = kernels(p, inputs, at, r);
+  auto order = nearest_first(r, asked);
+  order.resize(asked);
+  if (p.known) {
+    std::sort(order.begin(), order.end());
+    std::vector<std::size_t> near;
+    for (const auto& [distance, i] : order) near.push_back(i);
+    return variance(p.known->near.explained(p.known->R, std::move(near), all));
+  }
   std::vector<Eigen::Index> near;
-  for (const auto& [distance, i] : nearest_first(r, asked)) near.push_back(static_cast<Eigen::Index>(i));
-  near.resize(asked);
+  for (const auto& [distance, i] : order) near.push_back(static_cast<Eigen::Index>(i));
   std::sort(near.begin(), near.end());
-  const MatrixXd R = p.known ? MatrixXd(p.known->R(near, near)) : matrix_of(p, rows_at(inputs, near));
-  return variance(R.llt().matrixL().solve(VectorXd(all(near))).squaredNorm());
+  return variance(matrix_of(p, rows_at(inputs, near)).llt().matrixL().solve(VectorXd(all(near))).squaredNorm());
 }
 
 } // namespace platen::surrogate

@@ -56,7 +56,8 @@ Process fit_process(const Inputs&, std::span<const double> values);
 /// little too large.
 double variance_at(const Process&, const Inputs&, std::span<const double> at);
 
-/// From now on variance_at() takes a part of the time, with the same result. Wants the inputs as they stay.
+/// From now on variance_at() takes a part of the time, with the same result, the less the nearer places follow
+/// each other. Wants the inputs as they stay, and one thread.
 void remember(Process&, const Inputs&);
 
 } // namespace platen::surrogate

@@ -56,8 +56,13 @@ Beside beside_of(const std::string& name, const material::Material& m) {
   return b;
 }
 
+bool is_rock(const material::Material& m) {
+  return std::holds_alternative<material::DruckerPrager>(m.model);
+}
+
 std::vector<std::string> laws_beside(const material::Model& model) {
   if (std::holds_alternative<material::Elastic>(model)) return {"hertz"};
+  if (std::holds_alternative<material::DruckerPrager>(model)) return {"hertz", "wang"};
   if (std::holds_alternative<material::Vmdc>(model))
     return {"hertz", "edmans-sinka", "similarity", "jackson-green", "mdr", "agarwal"};
   if (const auto* metal = std::get_if<material::VonMises>(&model);
@@ -98,6 +103,10 @@ material::Material material_of(const law::ParameterTexts& texts) {
 }
 
 void Explorer::load(const std::string& text) {
+  if (!text.starts_with("platen-surrogate")) {
+    rock_ = surrogate::read_rock(core::parse_csv(text, "grains.csv"));
+    return;
+  }
   surrogates_.push_back(surrogate::parse_surrogate(text, "surrogate"));
   surrogates_.back().guide.reset(); // a page presses nothing
 }
@@ -110,7 +119,14 @@ int Explorer::prepare() {
         remember(process, layer.inputs);
         return 1;
       }
-  return 0;
+  if (between_grains_) return 0;
+  between_grains_.emplace(rock_);
+  return 1;
+}
+
+const surrogate::RockInterpolation& Explorer::between_grains() {
+  if (!between_grains_) between_grains_.emplace(rock_);
+  return *between_grains_;
 }
 
 surrogate::Answer Explorer::ask(const material::Material& m) const {
@@ -128,9 +144,23 @@ const fit::LawCard& Explorer::card() const {
   return *card_;
 }
 
+fit::LawCard Explorer::predicted(const material::Material& m) {
+  return is_rock(m) ? predict_rock(between_grains(), m, "material.toml").card
+                    : surrogate::pressed_card(ask(m), m);
+}
+
 std::string Explorer::predict(const law::ParameterTexts& texts) {
   card_.reset();
+  knots_.clear();
+  band_.clear();
   material_ = material_of(texts);
+  Json json = is_rock(*material_) ? rock() : pressed();
+  json.put("end", (*card().delta_bar)[1]).put("laws", laws_beside(material_->model));
+  json.put("version", std::string(core::version));
+  return json.text();
+}
+
+Json Explorer::pressed() {
   const auto answer = ask(*material_);
   const auto& s = answer.surrogate;
   const auto& p = answer.prediction;
@@ -144,10 +174,18 @@ std::string Explorer::predict(const law::ParameterTexts& texts) {
   Json json;
   json.put("verdict", std::string(name_of(a.verdict))).put("reasons", a.reasons).put("near", near);
   json.put("pool", s.pool).put("runs", s.runs.size()).put("engine", s.engine);
-  json.put("expected", p.expected[a.knots - 1]).put("end", knots_.back());
-  json.put("sigma_ref_Pa", reference_stress(material_->model)).put("E_Pa", initial_E(material_->model));
-  json.put("laws", laws_beside(material_->model)).put("version", std::string(core::version));
-  return json.text();
+  return std::move(json.put("expected", p.expected[a.knots - 1]));
+}
+
+/// No band: what is known of the error is how far grains are off that are left out.
+Json Explorer::rock() {
+  const auto p = predict_rock(between_grains(), *material_, "material.toml");
+  card_ = p.card;
+  Json json;
+  json.put("verdict", std::string(name_of(p.verdict))).put("reasons", p.reasons).put("near", p.near);
+  json.put("pool", rock_.pool).put("runs", rock_.grains.size()).put("engine", rock_.engine);
+  json.put("left_out_median", rock_.left_out.force.median).put("left_out_p95", rock_.left_out.force.p95);
+  return json;
 }
 
 law::Law Explorer::law_of(double radius_m, bool on_plane) const {
@@ -160,7 +198,7 @@ std::string Explorer::curves(const Asked& asked, std::vector<double>& numbers) {
   positive("radius_m", asked.radius_m);
   positive("density", asked.density);
   law_ = law_of(asked.radius_m, asked.on_plane);
-  const double per_x = 1 / law_.scale.x_per_gamma, end = knots_.back() * per_x;
+  const double per_x = 1 / law_.scale.x_per_gamma, end = (*card().delta_bar)[1] * per_x;
   const auto overlap = [&](int i) { // closer at first, where curves bend
     const double u = static_cast<double>(i) / (points - 1);
     return end * u * (0.25 + 0.75 * u);
@@ -239,7 +277,8 @@ std::string Explorer::file(const std::string& name, double radius_m, double dens
   const auto law = law_of(radius_m, on_plane);
   for (const auto& [key, value] : place(radius_m, on_plane)) law_card.parameters[key] = value;
   std::vector<double> overlaps;
-  for (int i = 1; i <= 500; ++i) overlaps.push_back(knots_.back() / law.scale.x_per_gamma * i / 500);
+  const double end = (*card().delta_bar)[1] / law.scale.x_per_gamma;
+  for (int i = 1; i <= 500; ++i) overlaps.push_back(end * i / 500);
   return dem::law_table(law_card, law, overlaps);
 }
 
