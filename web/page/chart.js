@@ -129,7 +129,7 @@ export class Chart {
 
 export const light = { ink: '#222b34', axis: '#5b6670', grid: '#e3e7eb', press: '#0072b2', band: '#0072b2', unloading: '#9aa8b5', contact: '#222b34',
   measured: '#222b34', paper: '#ffffff', hertz: '#5b6670', 'edmans-sinka': '#d55e00', similarity: '#b87900', 'jackson-green': '#009e73',
-  mdr: '#cc79a7', agarwal: '#56b4e9', 'thornton-ning': '#7f6a3f', 'kogut-etsion': '#a0522d' };
+  mdr: '#cc79a7', wang: '#7a5fb0', agarwal: '#56b4e9', 'thornton-ning': '#7f6a3f', 'kogut-etsion': '#a0522d' };
 
 /// Pictures one beside the other as one SVG that stands alone.
 export function exported(charts, title) {

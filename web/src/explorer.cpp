@@ -10,6 +10,7 @@
 #include "material/card.hpp"
 #include "platen/law/edmans_sinka_appendix.hpp"
 #include "surrogate/predicted_law.hpp"
+#include "surrogate/said.hpp"
 
 #include <fmt/format.h>
 
@@ -151,6 +152,7 @@ fit::LawCard Explorer::predicted(const material::Material& m) {
 
 std::string Explorer::predict(const law::ParameterTexts& texts) {
   card_.reset();
+  pool_.clear();
   knots_.clear();
   band_.clear();
   material_ = material_of(texts);
@@ -166,6 +168,7 @@ Json Explorer::pressed() {
   const auto& p = answer.prediction;
   const auto& a = answer.assessment;
   card_ = surrogate::pressed_card(answer, *material_);
+  pool_ = s.pool;
   knots_.assign(s.knots.begin(), s.knots.begin() + static_cast<std::ptrdiff_t>(a.knots));
   band_.assign(p.band.begin(), p.band.begin() + static_cast<std::ptrdiff_t>(a.knots));
   std::vector<std::string> near;
@@ -186,6 +189,33 @@ Json Explorer::rock() {
   json.put("pool", rock_.pool).put("runs", rock_.grains.size()).put("engine", rock_.engine);
   json.put("left_out_median", rock_.left_out.force.median).put("left_out_p95", rock_.left_out.force.p95);
   return json;
+}
+
+/// Which of these runs is nearest, and how far its force lies from that of the material: root mean square of the
+/// relative difference at the knots, both as the surrogate says them.
+std::string Explorer::nearest_of(const std::vector<std::string>& runs) const {
+  if (!material_ || is_rock(*material_))
+    throw core::InvalidInput("grains of rock were pressed at their contact alone");
+  const auto s = std::ranges::find(surrogates_, pool_, &surrogate::Surrogate::pool);
+  if (s == surrogates_.end()) throw core::InvalidInput("there is no law of this material");
+  const auto description = surrogate::describe(material_->model);
+  const auto all = surrogate::nearest(*s, description, s->runs.size());
+  const auto near = std::ranges::find_if(
+      all, [&](const auto& one) { return std::ranges::find(runs, s->runs[one.index]) != runs.end(); });
+  if (near == all.end()) throw core::InvalidInput(fmt::format("there is no picture of pool {}", s->pool));
+  const auto force = [&](std::span<const double> at) {
+    std::vector<double> sum;
+    for (const auto& layer : s->layers) surrogate::add(sum, values_at(layer.force, layer.inputs, at));
+    return sum;
+  };
+  const auto there = force(s->layers.front().inputs.row(near->index)),
+             here = force(surrogate::input_of(*s, description.coordinates));
+  double squares = 0;
+  for (std::size_t k = 0; k < here.size(); ++k) squares += std::pow(std::exp(there[k] - here[k]) - 1, 2);
+  Json json;
+  json.put("run", s->runs[near->index]).put("words", surrogate::words(*s, *near));
+  json.put("apart", std::sqrt(squares / static_cast<double>(here.size())));
+  return json.text();
 }
 
 law::Law Explorer::law_of(double radius_m, bool on_plane) const {

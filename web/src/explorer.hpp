@@ -51,6 +51,7 @@ class Explorer {
   std::optional<surrogate::RockInterpolation> between_grains_; ///< of rock_
   std::optional<material::Material> material_;
   std::optional<fit::LawCard> card_; ///< as `platen predict -o` writes it
+  std::string pool_;                 ///< that the law is from
   std::vector<double> knots_, band_; ///< none of rock
   law::Law law_;
   law::State state_;
