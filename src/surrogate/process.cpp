@@ -5,8 +5,10 @@
 #include "surrogate/kernel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <numeric>
 
 namespace platen::surrogate {
 namespace {
@@ -15,44 +17,39 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 constexpr std::size_t most_for_variance = 160;
 
-/// Numbers of the inputs at these distances, those that are asked first: nearest, and of equals the first.
-std::vector<std::pair<double, std::size_t>> nearest_first(const Eigen::ArrayXd& r, std::size_t& asked) {
+/// Numbers of the inputs at these distances that are asked, nearest first, and of equals the first.
+std::vector<std::size_t> nearest(const double* r, std::size_t count) {
   std::vector<std::pair<double, std::size_t>> order;
-  for (Eigen::Index i = 0; i < r.size(); ++i) order.emplace_back(r(i), static_cast<std::size_t>(i));
-  asked = std::min(order.size(), most_for_variance);
-  std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(asked), order.end());
-  return order;
+  for (std::size_t i = 0; i < count; ++i) order.emplace_back(r[i], i);
+  const auto asked = order.begin() + static_cast<std::ptrdiff_t>(std::min(count, most_for_variance));
+  std::nth_element(order.begin(), asked, order.end());
+  std::sort(order.begin(), asked);
+  std::vector<std::size_t> near;
+  std::for_each(order.begin(), asked, [&](const auto& one) { near.push_back(one.second); });
+  return near;
 }
 
-Inputs rows_at(const Inputs& inputs, const std::vector<Eigen::Index>& which) {
+Inputs rows_at(const Inputs& inputs, const std::vector<std::size_t>& which) {
   Inputs some{inputs.dimensions, {}};
-  for (const auto i : which) {
-    const auto row = inputs.row(static_cast<std::size_t>(i));
+  for (const std::size_t i : which) {
+    const auto row = inputs.row(i);
     some.values.insert(some.values.end(), row.begin(), row.end());
   }
   return some;
 }
-
-} // namespace
-
-namespace {
 
 /// R = L L^T over the nearest inputs, a row an input. From place to place few of them change, and those were
 /// the farthest: the rows before the first one that has gone stay.
 class NearFactor {
  public:
   /// k^T R^-1 k.
-  double explained(const MatrixXd& R, std::vector<std::size_t> near, const Eigen::ArrayXd& k) {
+  double explained(const MatrixXd& R, std::vector<std::size_t> near, const double* k) {
     keep(near, R.rows());
     for (const std::size_t input : near) append(R, input);
-    solution_.clear();
-    double sum = 0;
-    for (std::size_t i = 0; i < order_.size(); ++i) {
-      const double z = (k(index(order_[i])) - product(row(i), solution_.data(), i)) / row(i)[i];
-      solution_.push_back(z);
-      sum += z * z;
-    }
-    return sum;
+    std::array<double, most_for_variance> z{};
+    for (std::size_t i = 0; i < order_.size(); ++i)
+      z[i] = (k[order_[i]] - product(row(i), z.data(), i)) / row(i)[i];
+    return product(z.data(), z.data(), order_.size());
   }
 
  private:
@@ -73,75 +70,39 @@ class NearFactor {
     L_.resize(most_for_variance * most_for_variance);
     const std::size_t n = order_.size();
     double* own = row(n);
+    std::fill(own, own + most_for_variance, 0);
     for (std::size_t i = 0; i < n; ++i)
       own[i] = (R(index(order_[i]), index(input)) - product(row(i), own, i)) / row(i)[i];
     own[n] = std::sqrt(R(index(input), index(input)) - product(own, own, n));
     order_.push_back(input);
   }
 
+  /// Of the first numbers, where beyond them zeros stand in one of the two.
   static double product(const double* x, const double* y, std::size_t count) {
     using T = core::Lanes;
-    constexpr std::size_t width = core::lanes<T>;
+    static_assert(core::lanes<T> == 8 && most_for_variance % 8 == 0);
     T sum{}, a, b;
-    std::size_t i = 0;
-    for (; i + width <= count; i += width) {
+    for (std::size_t i = 0; i < count; i += 8) {
       std::memcpy(&a, x + i, sizeof a);
       std::memcpy(&b, y + i, sizeof b);
       sum += a * b;
     }
-    double all = 0;
-    for (; i < count; ++i) all += x[i] * y[i];
-    for (std::size_t n = 0; n < width; ++n) all += sum[n];
-    return all;
+    return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
   }
 
   std::vector<std::size_t> order_;
-  std::vector<double> L_, solution_;
+  std::vector<double> L_;
 };
 
 } // namespace
 
-/// R = L L^T of all inputs; of so many that the nearest are the smaller part, R alone.
 struct Known {
-  MatrixXd L_inverse, inverse, R;
+  MatrixXd R; ///< of all inputs
   mutable NearFactor near;
 };
 
-namespace {
-
-/// k^T R^-1 k over the inputs that are asked: over all of them, less what the others T add. With q = R^-1 k
-/// that is q_T^T (R^-1)_TT^-1 q_T, the closed form of leaving out.
-double explained_by_known(const Process& p, const Inputs& inputs, std::span<const double> at) {
-  std::size_t asked = 0;
-  const Eigen::ArrayXd r = distances(p, inputs, at);
-  const auto order = nearest_first(r, asked);
-  const VectorXd z = p.known->L_inverse.triangularView<Eigen::Lower>() * kernels(p, inputs, at, r).matrix();
-  const auto left = static_cast<Eigen::Index>(order.size() - asked);
-  if (left == 0) return z.squaredNorm();
-  MatrixXd P(left, left);
-  VectorXd q(left);
-  for (Eigen::Index a = 0; a < left; ++a) {
-    const auto i = static_cast<Eigen::Index>(order[asked + static_cast<std::size_t>(a)].second);
-    q(a) = p.known->L_inverse.col(i).dot(z);
-    for (Eigen::Index b = 0; b <= a; ++b)
-      P(a, b) =
-          p.known->inverse(static_cast<Eigen::Index>(order[asked + static_cast<std::size_t>(b)].second), i);
-  }
-  return z.squaredNorm() - P.llt().matrixL().solve(q).squaredNorm();
-}
-
-} // namespace
-
 void remember(Process& p, const Inputs& inputs) {
-  const auto n = static_cast<Eigen::Index>(inputs.size());
-  auto known = std::make_shared<Known>();
-  known->R = matrix_of(p, inputs);
-  if (inputs.size() <= 2 * most_for_variance) {
-    known->L_inverse = known->R.llt().matrixL().solve(MatrixXd::Identity(n, n));
-    known->inverse = known->L_inverse.transpose() * known->L_inverse;
-    known->R.resize(0, 0);
-  }
-  p.known = std::move(known);
+  p.known = std::make_shared<Known>(Known{matrix_of(p, inputs), {}});
 }
 
 namespace {
@@ -166,12 +127,12 @@ struct Place {
   static constexpr std::size_t width = core::lanes<core::Lanes>;
 };
 
-/// Sum of kernel times weight; `weights` as long as the columns.
-PLATEN_VECTOR_CLONES [[gnu::flatten]] double weighted(const Process& p, const Place& place,
-                                                      const double* weights) {
+/// Distances of the inputs from the place, and their kernels over v; both as long as the columns.
+PLATEN_VECTOR_CLONES [[gnu::flatten]] void kernels(const Process& p, const Place& place, double* distances,
+                                                   double* over_v) {
   using T = core::Lanes;
   const auto load = [](const double* from, T& x) { std::memcpy(&x, from, sizeof x); };
-  T sum{}, x, w;
+  T x;
   for (std::size_t i = 0; i < place.length; i += Place::width) {
     T square{};
     for (std::size_t k = 0; k < p.w.size(); ++k) {
@@ -180,12 +141,10 @@ PLATEN_VECTOR_CLONES [[gnu::flatten]] double weighted(const Process& p, const Pl
     }
     const T r = core::sqrt(square);
     load(&place.plane[i], x);
-    load(weights + i, w);
-    sum += w * ((1 + r + r * r / 3) * core::exp(-r) + p.plane * x);
+    const T kernel = (1 + r + r * r / 3) * core::exp(-r) + p.plane * x;
+    std::memcpy(distances + i, &r, sizeof r);
+    std::memcpy(over_v + i, &kernel, sizeof kernel);
   }
-  double all = 0;
-  for (std::size_t n = 0; n < Place::width; ++n) all += sum[n];
-  return all;
 }
 
 } // namespace
@@ -193,10 +152,10 @@ PLATEN_VECTOR_CLONES [[gnu::flatten]] double weighted(const Process& p, const Pl
 std::vector<double> means(std::span<const Process> processes, const Inputs& inputs,
                           std::span<const double> at) {
   const Place place(inputs, at);
-  std::vector<double> weights(place.length), result;
+  std::vector<double> r(place.length), k(place.length), result;
   for (const Process& p : processes) {
-    std::copy(p.weights.begin(), p.weights.end(), weights.begin());
-    result.push_back(p.variance * weighted(p, place, weights.data()));
+    kernels(p, place, r.data(), k.data());
+    result.push_back(p.variance * std::inner_product(p.weights.begin(), p.weights.end(), k.begin(), 0.0));
   }
   return result;
 }
@@ -223,25 +182,23 @@ void pass_through(Process& p, const Inputs& inputs, std::span<const double> valu
   for (Eigen::Index i = 0; i < n; ++i) p.weights.push_back(z(i) / p.variance);
 }
 
-double variance_at(const Process& p, const Inputs& inputs, std::span<const double> at) {
-  const auto variance = [&](double explained) {
-    return p.variance * std::max(0.0, 1 + p.plane * plane_product(at, at) - explained);
-  };
-  if (p.known && p.known->R.size() == 0) return variance(explained_by_known(p, inputs, at));
-  std::size_t asked = 0;
-  const Eigen::ArrayXd r = distances(p, inputs, at), all = kernels(p, inputs, at, r);
-  auto order = nearest_first(r, asked);
-  order.resize(asked);
-  if (p.known) {
-    std::sort(order.begin(), order.end());
-    std::vector<std::size_t> near;
-    for (const auto& [distance, i] : order) near.push_back(i);
-    return variance(p.known->near.explained(p.known->R, std::move(near), all));
+std::vector<double> variances(std::span<const Process> processes, const Inputs& inputs,
+                              std::span<const double> at) {
+  const Place place(inputs, at);
+  std::vector<double> r(place.length), k(place.length), result;
+  for (const Process& p : processes) {
+    kernels(p, place, r.data(), k.data());
+    auto near = nearest(r.data(), inputs.size());
+    double explained = 0;
+    if (p.known) explained = p.known->near.explained(p.known->R, std::move(near), k.data());
+    else {
+      VectorXd asked(near.size());
+      for (std::size_t i = 0; i < near.size(); ++i) asked(static_cast<Eigen::Index>(i)) = k[near[i]];
+      explained = matrix_of(p, rows_at(inputs, near)).llt().matrixL().solve(asked).squaredNorm();
+    }
+    result.push_back(p.variance * std::max(0.0, 1 + p.plane * plane_product(at, at) - explained));
   }
-  std::vector<Eigen::Index> near;
-  for (const auto& [distance, i] : order) near.push_back(static_cast<Eigen::Index>(i));
-  std::sort(near.begin(), near.end());
-  return variance(matrix_of(p, rows_at(inputs, near)).llt().matrixL().solve(VectorXd(all(near))).squaredNorm());
+  return result;
 }
 
 } // namespace platen::surrogate
