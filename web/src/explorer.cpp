@@ -57,9 +57,7 @@ Beside beside_of(const std::string& name, const material::Material& m) {
   return b;
 }
 
-bool is_rock(const material::Material& m) {
-  return std::holds_alternative<material::DruckerPrager>(m.model);
-}
+bool is_rock(const material::Material& m) { return std::holds_alternative<material::DruckerPrager>(m.model); }
 
 std::vector<std::string> laws_beside(const material::Model& model) {
   if (std::holds_alternative<material::Elastic>(model)) return {"hertz"};
@@ -191,8 +189,8 @@ Json Explorer::rock() {
   return json;
 }
 
-/// Which of these runs is nearest, and how far its force lies from that of the material: root mean square of the
-/// relative difference at the knots, both as the surrogate says them.
+/// Which of these runs is nearest, and how far its force lies from that of the material: root mean square of
+/// the relative difference at the knots, both as the surrogate says them.
 std::string Explorer::nearest_of(const std::vector<std::string>& runs) const {
   if (!material_ || is_rock(*material_))
     throw core::InvalidInput("grains of rock were pressed at their contact alone");

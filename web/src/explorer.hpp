@@ -3,8 +3,8 @@
 // curve.
 
 #include "fit/law_card.hpp"
-#include "material/models.hpp"
 #include "json.hpp"
+#include "material/models.hpp"
 #include "surrogate/assess.hpp"
 #include "surrogate/rock.hpp"
 

@@ -1,5 +1,5 @@
-// In place of the toolchain's exponential, which takes twice the time: the one with which the program computes many
-// at once, of one number, to a relative 5e-16.
+// In place of the toolchain's exponential, which takes twice the time: the one with which the program
+// computes many at once, of one number, to a relative 5e-16.
 
 #include <bit>
 #include <cmath>

@@ -107,8 +107,12 @@ std::string Explorer::fit_strength(const law::ParameterTexts& texts, double radi
   const double E = initial_E(start.model);
   const bool elastic = std::holds_alternative<material::Elastic>(start.model),
              rock = std::holds_alternative<material::DruckerPrager>(start.model);
-  const double low = std::log(elastic ? 1e3 : rock ? E / 1e4 : E / 1500),
-               high = std::log(elastic ? 1e13 : rock ? E / 50 : E / 3.2);
+  const double low = std::log(elastic ? 1e3
+                              : rock  ? E / 1e4
+                                      : E / 1500),
+               high = std::log(elastic ? 1e13
+                               : rock  ? E / 50
+                                       : E / 3.2);
   for (int i = 0; i <= 24; ++i) candidates.push_back(low + (high - low) * i / 24);
   const auto best = fit::scanned_minimum(squares, candidates, 22);
   if (!std::isfinite(best.value))

@@ -54,8 +54,8 @@ TEST(Process, ContinuesAPlaneBeyondItsInputs) {
   EXPECT_NEAR(means({&p, 1}, inputs, at)[0], plane(1.3, -0.2), 0.05);
 }
 
-// Of more inputs than are asked: the nearest are others at every place, most of the same at places near by, none
-// of them far away.
+// Of more inputs than are asked: the nearest are others at every place, most of the same at places near by,
+// none of them far away.
 TEST(Process, RemembersWhatItSaidBefore) {
   for (const std::size_t count : {230, 400}) {
     const Inputs inputs = places(count);
