@@ -1,9 +1,10 @@
 // web/zones.json: sections through pressed particles, for the explorer. Kept in the repository; made anew by
 //   node web/zones.mjs PLATEN_PROGRAM [JOBS]
-// Materials spread over each pool are pressed again on a mesh coarser than the pool's, and of each picture zones.svg
-// that the program draws a quarter is kept, in fewer points: the other quarters are its mirror images.
+// Materials near those of the catalogue, and others spread over each pool, are pressed again on a mesh coarser than the
+// pool's, and of each picture zones.svg that the program draws a quarter is kept, in fewer points: the other quarters
+// are its mirror images.
 import { execFile } from 'node:child_process';
-import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -11,9 +12,8 @@ import { promisify } from 'node:util';
 
 const here = dirname(fileURLToPath(import.meta.url));
 const pools = join(here, '../catalogue/pools');
-const elements = 1200, delta_bar = [0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5];
-const wanted = { elastic: 2, 'von-mises': 12, metals: 20, 'edmans-sinka': 32, powders: 40 };
-const first = { 'edmans-sinka': 'edmans-sinka-100' }; // the base case, with which the page opens
+const elements = 1200, delta_bar = [0.01, 0.03, 0.06, 0.1, 0.2, 0.3, 0.4, 0.5];
+const wanted = { elastic: 2, 'von-mises': 12, metals: 24, 'edmans-sinka': 32, powders: 70 };
 export const zones = ['elastic', 'shear', 'compaction', 'tension'];
 const fills = ['#3b6fb5', '#f6c945', '#b5283b', '#7cc07a'], plane = '#52606d';
 const unit = 500; // of R0, in the paths
@@ -21,32 +21,35 @@ const tolerance = 0.004; // of R0
 
 // --- which materials ------------------------------------------------------------------------------------------------
 
-/// Of a surrogate its numbers, and those of each run that it is made of.
+/// Of the runs that a surrogate is made of the numbers of their materials, and where they lie: two are so far from each
+/// other as `platen predict` counts when it names the nearest.
 function surrogateOf(pool) {
   const lines = readFileSync(join(pools, pool, 'surrogate.txt'), 'utf8').split('\n');
-  const listed = (name) => {
-    const at = lines.findIndex((line) => line.startsWith(name + ' '));
-    return lines.slice(at + 1, at + 1 + Number(lines[at].split(' ')[1])).map((line) => line.split(' '));
-  };
-  const ranges = listed('ranges').map(([key, low, high]) => ({ key, low: Number(low), high: Number(high) }));
-  return { ranges, runs: listed('runs').map(([name, ...numbers]) => ({ name, numbers: numbers.map(Number) })) };
+  const words = (name) => lines.find((line) => line.startsWith(name + ' ')).split(' ').slice(1);
+  const listed = (name) => lines.slice(1 + lines.findIndex((line) => line.startsWith(name + ' '))).slice(0, words(name)[0]).map((line) => line.split(' '));
+  const w = words('w').map(Number), inputs = words('inputs').map(Number), keys = listed('ranges').map(([key]) => key);
+  return listed('runs').map(([name, ...numbers], i) => ({ pool, name, keys, numbers: numbers.map(Number), at: w.map((one, k) => one * inputs[i * w.length + k]) }));
 }
 
-/// `count` runs that lie far from each other: first the named one, else that in the middle, then always the farthest from
-/// all before.
-export function spread(pool, count) {
-  const { ranges, runs } = surrogateOf(pool);
-  const by = ranges.map(({ key }) => (/_bar$|^sigma/.test(key) ? Math.log : (x) => x));
-  const at = runs.map(({ numbers }) => ranges.map(({ low, high }, k) => (high > low ? (by[k](numbers[k]) - by[k](low)) / (by[k](high) - by[k](low)) : 0.5)));
-  const apart = (a, b) => a.reduce((sum, x, k) => sum + (x - b[k]) ** 2, 0);
-  const middle = ranges.map(() => 0.5), chosen = [];
-  let far = at.map((one, i) => (runs[i].name === first[pool] ? 1 : -apart(one, middle)));
-  while (chosen.length < Math.min(count, runs.length)) {
-    const next = far.indexOf(Math.max(...far));
-    chosen.push(next);
-    far = at.map((one, i) => Math.min(chosen.length > 1 ? far[i] : Infinity, apart(one, at[next])));
+/// `count` runs: the named ones, and always the farthest from all before.
+export function spread(pool, count, named = []) {
+  const runs = surrogateOf(pool), chosen = [];
+  const apart = (a, b) => a.at.reduce((sum, x, k) => sum + (x - b.at[k]) ** 2, 0);
+  let far = runs.map(() => Infinity);
+  const choose = (run) => { chosen.push(run); far = runs.map((one, i) => Math.min(far[i], apart(one, run))); };
+  runs.filter(({ name }) => named.includes(name)).forEach(choose);
+  while (chosen.length < Math.min(count, runs.length)) choose(runs[far.indexOf(Math.max(...far))]);
+  return chosen;
+}
+
+/// The runs nearest to the materials of the catalogue: with these the page begins.
+async function nearTheCatalogue(program) {
+  const cards = readdirSync(join(pools, '../materials')), near = [];
+  for (const card of cards) {
+    const out = await promisify(execFile)(program, ['predict', join(pools, '../materials', card), '--quick', '--extrapolate', '--json', '-o', join(tmpdir(), 'zones-law.toml')]).catch(() => null);
+    if (out) near.push(...JSON.parse(out.stdout).nearest_runs.slice(0, 2));
   }
-  return chosen.map((i) => ({ ...runs[i], keys: ranges.map(({ key }) => key), pool }));
+  return near;
 }
 
 /// The material of a run, as a table of a case card.
@@ -151,7 +154,8 @@ export async function pressed(program, run) {
 }
 
 async function main(program, jobs = 1) {
-  const runs = Object.entries(wanted).flatMap(([pool, count]) => spread(pool, count)), done = [];
+  const named = await nearTheCatalogue(program), done = [];
+  const runs = Object.entries(wanted).flatMap(([pool, count]) => spread(pool, count, named));
   const waiting = [...runs];
   const work = async () => {
     for (let run = waiting.shift(); run; run = waiting.shift())
