@@ -8,7 +8,6 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <numeric>
 
 namespace platen::surrogate {
 namespace {
@@ -127,24 +126,44 @@ struct Place {
   static constexpr std::size_t width = core::lanes<core::Lanes>;
 };
 
-/// Distances of the inputs from the place, and their kernels over v; both as long as the columns.
-PLATEN_VECTOR_CLONES [[gnu::flatten]] void kernels(const Process& p, const Place& place, double* distances,
-                                                   double* over_v) {
+/// each(i, r, k): distances of so many inputs from i on, and their kernels over v.
+template <class Each> void for_kernels(const Process& p, const Place& place, Each each) {
   using T = core::Lanes;
-  const auto load = [](const double* from, T& x) { std::memcpy(&x, from, sizeof x); };
   T x;
   for (std::size_t i = 0; i < place.length; i += Place::width) {
     T square{};
     for (std::size_t k = 0; k < p.w.size(); ++k) {
-      load(&place.squares[k * place.length + i], x);
+      std::memcpy(&x, &place.squares[k * place.length + i], sizeof x);
       square += p.w[k] * p.w[k] * x;
     }
     const T r = core::sqrt(square);
-    load(&place.plane[i], x);
-    const T kernel = (1 + r + r * r / 3) * core::exp(-r) + p.plane * x;
+    std::memcpy(&x, &place.plane[i], sizeof x);
+    each(i, r, (1 + r + r * r / 3) * core::exp(-r) + p.plane * x);
+  }
+}
+
+/// Sum of kernel times weight; `weights` as long as the columns.
+PLATEN_VECTOR_CLONES [[gnu::flatten]] double weighted(const Process& p, const Place& place,
+                                                      const double* weights) {
+  using T = core::Lanes;
+  T sum{}, w;
+  for_kernels(p, place, [&](std::size_t i, const T&, const T& kernel) {
+    std::memcpy(&w, weights + i, sizeof w);
+    sum += w * kernel;
+  });
+  double all = 0;
+  for (std::size_t n = 0; n < Place::width; ++n) all += sum[n];
+  return all;
+}
+
+/// Distances and kernels themselves, as long as the columns.
+PLATEN_VECTOR_CLONES [[gnu::flatten]] void kernels(const Process& p, const Place& place, double* distances,
+                                                   double* over_v) {
+  using T = core::Lanes;
+  for_kernels(p, place, [&](std::size_t i, const T& r, const T& kernel) {
     std::memcpy(distances + i, &r, sizeof r);
     std::memcpy(over_v + i, &kernel, sizeof kernel);
-  }
+  });
 }
 
 } // namespace
@@ -152,10 +171,10 @@ PLATEN_VECTOR_CLONES [[gnu::flatten]] void kernels(const Process& p, const Place
 std::vector<double> means(std::span<const Process> processes, const Inputs& inputs,
                           std::span<const double> at) {
   const Place place(inputs, at);
-  std::vector<double> r(place.length), k(place.length), result;
+  std::vector<double> weights(place.length), result;
   for (const Process& p : processes) {
-    kernels(p, place, r.data(), k.data());
-    result.push_back(p.variance * std::inner_product(p.weights.begin(), p.weights.end(), k.begin(), 0.0));
+    std::copy(p.weights.begin(), p.weights.end(), weights.begin());
+    result.push_back(p.variance * weighted(p, place, weights.data()));
   }
   return result;
 }

@@ -288,7 +288,7 @@ test('inside: nearest as the program says it; none of rock; a sentence where pic
   await page.waitForFunction(() => /pressed at their contact alone/.test(document.getElementById('inside-words').textContent));
   assert.equal(await page.isVisible('#section'), false);
   await closed(page);
-  const without = await opened();
+  const without = await opened({ serviceWorkers: 'block' });
   await without.route('**/zones.gz', (route) => route.abort());
   await drawn(without);
   await without.click('#skip');
