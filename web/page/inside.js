@@ -2,7 +2,7 @@
 import { element } from './chart.js';
 
 /// As in zones.svg of the program: their lightness differs too.
-const zones = [['elastic', '#3b6fb5'], ['shear', '#f6c945'], ['compaction', '#b5283b'], ['tension', '#7cc07a']];
+export const zones = [['elastic', '#3b6fb5'], ['shear', '#f6c945'], ['compaction', '#b5283b'], ['tension', '#7cc07a']];
 const shown = [2, 1, 3, 0];
 const reach = 1.55, thickness = 0.05; // of R0
 

@@ -237,6 +237,24 @@ test('pictures of the inside are what the program presses', { timeout: 120000 },
   }
 });
 
+// As those see them who lack one kind of cone (Machado et al. 2009, complete), in CIE L*a*b*: a difference of 2 can just be seen.
+test('zones keep apart for the colour-blind', async () => {
+  const colours = Object.values(await import('../page/inside.js').then((m) => m.zones)).map(([, hex]) => hex);
+  const times = (m, v) => [0, 1, 2].map((r) => m[3 * r] * v[0] + m[3 * r + 1] * v[1] + m[3 * r + 2] * v[2]);
+  const linear = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255).map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
+  const lab = (rgb) => {
+    const [x, y, z] = times([0.4124, 0.3576, 0.1805, 0.2126, 0.7152, 0.0722, 0.0193, 0.1192, 0.9505], rgb.map((c) => Math.min(1, Math.max(0, c))))
+      .map((c, i) => c / [0.9505, 1, 1.089][i]).map((t) => (t > 0.008856 ? Math.cbrt(t) : 7.787 * t + 16 / 116));
+    return [116 * y - 16, 500 * (x - y), 200 * (y - z)];
+  };
+  for (const eye of [[1, 0, 0, 0, 1, 0, 0, 0, 1], [0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998],
+    [0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.01182, 0.04294, 0.968881], [1.255528, -0.076749, -0.178779, -0.078411, 0.930809, 0.147602, 0.004733, 0.691367, 0.3039]])
+    colours.forEach((a, i) => colours.slice(i + 1).forEach((b) => {
+      const [one, other] = [a, b].map((hex) => lab(times(eye, linear(hex))));
+      assert.ok(Math.hypot(...one.map((x, k) => x - other[k])) > 20, `${a} and ${b}`);
+    }));
+});
+
 test('inside: the nearest pressed material at the overlap of the dot, asked for when it is opened', { timeout: 60000 }, async () => {
   const page = await opened();
   const asked = [];
