@@ -35,7 +35,7 @@ export class Inside {
     if (key !== this.drawn) this.#draw(at, paths), this.drawn = key;
     shown.forEach((zone, i) => { this.keys.children[i].lastChild.textContent = percent(shares[zone]); });
     const [name, numbers] = near.words.split(': ');
-    const far = near.apart < 0.0005 ? 'whose force is that of yours' : `whose force is ${Number((100 * near.apart).toPrecision(2))} % from that of yours`;
+    const far = near.apart < 0.0005 ? 'whose force is that of yours' : `whose force differs from that of yours by ${Number((100 * near.apart).toPrecision(2))} %`;
     const text = `${name}, ${far}, pressed to δ/R = ${at}: the nearest of ${this.runs.length} pressed materials that have a picture${numbers ? ` (${numbers})` : ''}. ` +
       (unloads ? 'The contact unloads; this is how it flowed at its largest overlap. ' : '') +
       `Shares are of its volume. ${this.data.elements.toLocaleString('en')} elements: edges are rough.`;

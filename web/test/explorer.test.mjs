@@ -296,7 +296,7 @@ test('inside: nearest as the program says it; none of rock; a sentence where pic
     await drawn(page);
     const { words } = await insideOf(page);
     assert.ok(words.startsWith(near + ','), `${words} for ${near}`);
-    const off = Number(/whose force is ([\d.]+) %/.exec(words)?.[1] ?? 0); // a hundredth of E
+    const off = Number(/differs from that of yours by ([\d.]+) %/.exec(words)?.[1] ?? 0); // a hundredth of E
     assert.ok(off < 2, words);
     await closed(page);
   }
