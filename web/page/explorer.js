@@ -1,6 +1,6 @@
 // The page: sliders to the worker, its numbers to the pictures.
 
-import { Chart, element, exported } from './chart.js';
+import { Chart, element, exported, roundedUp } from './chart.js';
 import { Inside } from './inside.js';
 import { fromLink, initial, toLink } from './link.js';
 import { allOf, answered, cardOf, fromCard, lines, modelOf, models, particle, positionOf, questions, starting, valueAt } from './materials.js';
@@ -280,7 +280,7 @@ function drawNow(answer) {
     document.documentElement.dataset.revision = String(1 + Number(document.documentElement.dataset.revision ?? 0));
     last = { sentence: answer.sentence };
     $('answer').classList.add('stale');
-    for (const chart of [force, radius, pressure, restitution]) { chart.only(new Set()); chart.labels.textContent = ''; }
+    for (const chart of [force, radius, pressure, restitution]) { chart.only(new Set()); chart.unlabelled(); }
     trace.setAttribute('d', '');
     dot.setAttribute('visibility', 'hidden');
     $('readout').hidden = true;
@@ -291,16 +291,16 @@ function drawNow(answer) {
   $('readout').hidden = false;
   last = answer;
   const { curves: c, numbers: n } = answer;
-  fitWidths();
+  if (!force.width) fitWidths();
   const N = c.points, at = (i, k) => n[5 * i + k];
   const band = 5 * N, loops = band + 3 * c.knots, rest = loops + 3 * c.loops * c.of_loop, beside = rest + 2 * c.restitution;
   const top = { F: 0, a: 0, p: 0 };
   for (let i = 0; i < N; ++i) top.F = Math.max(top.F, at(i, 1)), top.a = Math.max(top.a, at(i, 2)), top.p = Math.max(top.p, at(i, 3));
   for (let k = 0; k < c.knots; ++k) top.F = Math.max(top.F, n[band + 3 * k + 2]);
   const names = new Set(['band', 'loading', 'measured']);
-  force.range(0, c.end_m * 1.02, top.F * 1.05);
-  radius.range(0, c.end_m * 1.02, top.a * 1.05);
-  pressure.range(0, c.end_m * 1.02, top.p * 1.08);
+  force.range(0, c.end_m * 1.02, roundedUp(top.F * 1.02));
+  radius.range(0, c.end_m * 1.02, roundedUp(top.a * 1.02));
+  pressure.range(0, c.end_m * 1.02, roundedUp(top.p * 1.02));
   let d = c.knots ? '' : 'M0 0'; // rock has no band
   for (let k = 0; k < c.knots; ++k) d += (k ? 'L' : 'M') + force.px(n[band + 3 * k]).toFixed(1) + ' ' + force.py(n[band + 3 * k + 2]).toFixed(1);
   for (let k = c.knots; k-- > 0;) d += 'L' + force.px(n[band + 3 * k]).toFixed(1) + ' ' + force.py(n[band + 3 * k + 1]).toFixed(1);
@@ -328,7 +328,7 @@ function drawNow(answer) {
   radius.line('loading', line, { count: N, x: (i) => at(i, 0), y: (i) => at(i, 2) });
   pressure.line('loading', line, { count: N, x: (i) => at(i, 0), y: (i) => (i ? at(i, 3) : NaN) });
   labels.push({ text: 'predicted', y: at(N - 1, 1), colour: colour('press'), width: 3, strong: true });
-  const vHigh = n[rest + 2 * c.restitution - 2], vLow = Math.min(Math.max(n[rest], vHigh * 1e-5), vHigh / 10);
+  const vHigh = roundedUp(n[rest + 2 * c.restitution - 2]), vLow = Math.min(Math.max(n[rest], vHigh * 1e-5), vHigh / 10);
   restitution.range(vLow, vHigh, 1.05);
   restitution.line('loading', line, { count: c.restitution, x: (i) => (n[rest + 2 * i] >= vLow ? n[rest + 2 * i] : NaN), y: (i) => n[rest + 2 * i + 1] });
   if (measured) {
@@ -343,7 +343,7 @@ function drawNow(answer) {
   } else names.delete('measured');
   force.only(names);
   radius.only(names);
-  if (force.right > 100) force.beside(labels); else force.labels.textContent = '';
+  if (force.right > 100) force.beside(labels); else force.unlabelled();
   force.marks.append(trace);
   contact(answer.contact, true);
   document.documentElement.dataset.revision = String(1 + Number(document.documentElement.dataset.revision ?? 0));
