@@ -2,9 +2,10 @@
 import { existsSync, readdirSync } from 'node:fs'
 import { join } from 'node:path'
 
-/// Of VitePress: the page in the repository, https://…; nothing where that is not known.
-export const editLink = repository => repository && { text: 'Edit this page', pattern: ({ frontmatter }) =>
-  frontmatter.from ? `${repository}/edit/main/${frontmatter.from}` : `${repository}/tree/main/site` }
+/// Of VitePress: the page in the repository, https://…; nothing where that is not known. VitePress carries the text of the
+/// function into the page, so that it must know the repository without what stands around it.
+export const editLink = repository => repository && { text: 'Edit this page', pattern: Function('page',
+  `return ${JSON.stringify(repository)} + (page.frontmatter.from ? '/edit/main/' + page.frontmatter.from : '/tree/main/site')`) }
 
 /// Other versions: folders with a site beside the one in which this site will lie, the newest first.
 export const versionsIn = (folder, own) => (folder ? readdirSync(folder) : [])
