@@ -1,10 +1,11 @@
 // web/zones.json: sections through pressed particles, for the explorer. Kept in the repository; made anew by
-//   node web/zones.mjs PLATEN_PROGRAM [JOBS]
+//   rm web/zones.json; node web/zones.mjs PLATEN_PROGRAM [JOBS]
+// What is in the file already is not pressed again.
 // Materials near those of the catalogue, and others spread over each pool, are pressed again on a mesh coarser than the
 // pool's, and of each picture zones.svg that the program draws a quarter is kept, in fewer points: the other quarters
 // are its mirror images.
 import { execFile } from 'node:child_process';
-import { mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { fileURLToPath } from 'node:url';
@@ -31,25 +32,26 @@ function surrogateOf(pool) {
   return listed('runs').map(([name, ...numbers], i) => ({ pool, name, keys, numbers: numbers.map(Number), at: w.map((one, k) => one * inputs[i * w.length + k]) }));
 }
 
-/// `count` runs: the named ones, and always the farthest from all before.
-export function spread(pool, count, named = []) {
+/// `count` runs, each the farthest from all before.
+export function spread(pool, count) {
   const runs = surrogateOf(pool), chosen = [];
   const apart = (a, b) => a.at.reduce((sum, x, k) => sum + (x - b.at[k]) ** 2, 0);
   let far = runs.map(() => Infinity);
   const choose = (run) => { chosen.push(run); far = runs.map((one, i) => Math.min(far[i], apart(one, run))); };
-  runs.filter(({ name }) => named.includes(name)).forEach(choose);
   while (chosen.length < Math.min(count, runs.length)) choose(runs[far.indexOf(Math.max(...far))]);
   return chosen;
 }
 
-/// The runs nearest to the materials of the catalogue: with these the page begins.
+/// Names of the two runs nearest to each material of the catalogue that is predicted of a pool: with these the page begins.
 async function nearTheCatalogue(program) {
-  const cards = readdirSync(join(pools, '../materials')), near = [];
-  for (const card of cards) {
-    const out = await promisify(execFile)(program, ['predict', join(pools, '../materials', card), '--quick', '--extrapolate', '--json', '-o', join(tmpdir(), 'zones-law.toml')]).catch(() => null);
-    if (out) near.push(...JSON.parse(out.stdout).nearest_runs.slice(0, 2));
+  const names = new Set();
+  for (const file of readdirSync(join(pools, '../materials'))) {
+    const card = join(pools, '../materials', file);
+    if (!/^model = "(elastic|von-mises|vmdc)"/m.test(readFileSync(card, 'utf8'))) continue;
+    const { stdout } = await promisify(execFile)(program, ['predict', card, '--quick', '--extrapolate', '--json', '-o', join(tmpdir(), 'zones-law.toml')]);
+    for (const name of JSON.parse(stdout).nearest_runs.slice(0, 2)) names.add(name);
   }
-  return near;
+  return names;
 }
 
 /// The material of a run, as a table of a case card.
@@ -154,9 +156,14 @@ export async function pressed(program, run) {
 }
 
 async function main(program, jobs = 1) {
-  const named = await nearTheCatalogue(program), done = [];
-  const runs = Object.entries(wanted).flatMap(([pool, count]) => spread(pool, count, named));
-  const waiting = [...runs];
+  const near = await nearTheCatalogue(program), file = join(here, 'zones.json');
+  const kept = existsSync(file) ? JSON.parse(readFileSync(file)) : { pressed: {} };
+  const runs = Object.entries(wanted).flatMap(([pool, count]) => {
+    const all = spread(pool, Infinity);
+    return all.filter(({ name }, i) => i < count || near.has(name));
+  });
+  const done = runs.filter(({ name }) => kept.elements === elements && kept.pressed[name]).map(({ name }) => ({ run: name, moments: kept.pressed[name] }));
+  const waiting = runs.filter(({ name }) => !done.some(({ run }) => run === name));
   const work = async () => {
     for (let run = waiting.shift(); run; run = waiting.shift())
       try {
@@ -169,7 +176,7 @@ async function main(program, jobs = 1) {
   await Promise.all(Array.from({ length: jobs }, work));
   done.sort((a, b) => runs.findIndex(({ name }) => name === a.run) - runs.findIndex(({ name }) => name === b.run));
   const lines = done.map(({ run, moments }) => `${JSON.stringify(run)}: [\n${moments.map((moment) => JSON.stringify(moment)).join(',\n')}]`);
-  writeFileSync(join(here, 'zones.json'), `{"elements": ${elements}, "unit": ${unit}, "pressed": {\n${lines.join(',\n')}}}\n`);
+  writeFileSync(file, `{"elements": ${elements}, "unit": ${unit}, "pressed": {\n${lines.join(',\n')}}}\n`);
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {

@@ -152,7 +152,7 @@ test('what is downloaded is what the program writes', async () => {
   await closed(page);
 });
 
-test('axe finds nothing serious, in light and dark, at three widths, nothing scrolls sideways', { timeout: 120000 }, async () => {
+test('axe finds nothing serious, in light and dark, at three widths, nothing scrolls sideways', { timeout: 300000 }, async () => {
   const axe = readFileSync(new URL('node_modules/axe-core/axe.min.js', import.meta.url), 'utf8');
   for (const width of [390, 1024, 1920])
     for (const colorScheme of ['light', 'dark']) {
@@ -224,7 +224,7 @@ const insideOf = async (page) => {
     fills: [...new Set([...document.querySelectorAll('#section path')].map((path) => path.getAttribute('fill')))] }));
 };
 
-test('pictures of the inside are what the program presses', { timeout: 120000 }, async () => {
+test('pictures of the inside are what the program presses', { timeout: 300000 }, async () => {
   assert.ok(statSync(join(folder, 'zones.gz')).size < 0.7e6);
   for (const [pool, name] of [['edmans-sinka', 'edmans-sinka-100'], ['metals', Object.keys(pictures.pressed).find((name) => name.startsWith('metals'))]]) {
     const { moments } = await pressed(platen, runOf(pool, name)), kept = pictures.pressed[name];
@@ -289,7 +289,7 @@ test('inside: the nearest pressed material at the overlap of the dot, asked for 
 test('inside: nearest as the program says it; none of rock; a sentence where pictures are missing', { timeout: 60000 }, async () => {
   for (const name of Object.keys(pictures.pressed).filter((run, i) => /^powders|^edmans/.test(run) && i % 9 === 0)) {
     const run = runOf(name.startsWith('edmans') ? 'edmans-sinka' : 'powders', name);
-    const values = Object.fromEntries(run.keys.map((key, k) => [key, run.numbers[k] * (key === 'E_bar' ? 1.01 : 1)]));
+    const values = Object.fromEntries(run.keys.map((key, k) => [key, run.numbers[k] * (key !== 'E_bar' ? 1 : run.numbers[k] > 100 ? 0.99 : 1.01)]));
     writeFileSync(join(work, 'near.toml'), 'platen = 1\nname = "near"\nmodel = "vmdc"\n[parameters]\nsigma_y_Pa = 1e8\n' + Object.entries(values).map((line) => line.join(' = ')).join('\n'));
     const near = JSON.parse(execFileSync(platen, ['predict', 'near.toml', '--quick', '--extrapolate', '--json', '-o', 'near-law.toml'], { cwd: work, stdio: ['ignore', 'pipe', 'ignore'] })).nearest_runs[0];
     const page = await opened({ hash: toLink({ ...initial(), name: 'near', values: { sigma_y_Pa: 1e8, ...values } }) });
