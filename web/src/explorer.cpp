@@ -201,13 +201,9 @@ std::string Explorer::nearest_of(const std::vector<std::string>& runs) const {
   const auto near = std::ranges::find_if(
       all, [&](const auto& one) { return std::ranges::find(runs, s->runs[one.index]) != runs.end(); });
   if (near == all.end()) throw core::InvalidInput(fmt::format("there is no picture of pool {}", s->pool));
-  const auto force = [&](std::span<const double> at) {
-    std::vector<double> sum;
-    for (const auto& layer : s->layers) surrogate::add(sum, values_at(layer.force, layer.inputs, at));
-    return sum;
-  };
-  const auto there = force(s->layers.front().inputs.row(near->index)),
-             here = force(surrogate::input_of(*s, description.coordinates));
+  const auto row = s->layers.front().inputs.row(near->index);
+  const auto there = said_at(*s, {row.begin(), row.end()}).F,
+             here = said_at(*s, surrogate::input_of(*s, description.coordinates)).F;
   double squares = 0;
   for (std::size_t k = 0; k < here.size(); ++k) squares += std::pow(std::exp(there[k] - here[k]) - 1, 2);
   Json json;

@@ -290,6 +290,7 @@ test('inside: nearest as the program says it; none of rock; a sentence where pic
   let compared = 0;
   for (const name of Object.keys(pictures.pressed).filter((run, i) => /^powders|^edmans/.test(run) && i % 9 === 0)) {
     const run = runOf(name.startsWith('edmans') ? 'edmans-sinka' : 'powders', name);
+    if (!run) continue; // of a surrogate no more
     const values = Object.fromEntries(run.keys.map((key, k) => [key, run.numbers[k] * (key !== 'E_bar' ? 1 : run.numbers[k] > 100 ? 0.99 : 1.01)]));
     if (allOf('vmdc').some((p) => values[p.key] < p.low || values[p.key] > p.high)) continue; // beyond a slider
     ++compared;
