@@ -45,7 +45,8 @@ export class Inside {
 
   #draw(at, paths) {
     const { unit } = this.data, face = (1 - at) * unit, wide = reach * unit;
-    const quarter = paths.map((path) => { const [, colour] = zones[path[0]]; return `<path d="${path.slice(1)}" fill="${colour}" stroke="${colour}" stroke-width="5"/>`; }).join('');
+    // The first path is the whole, under the others; their edges close what lies between two.
+    const quarter = paths.map((path, i) => { const [, colour] = zones[path[0]]; return `<path d="${path.slice(1)}" fill="${colour}"${i ? ` stroke="${colour}" stroke-width="4"` : ''}/>`; }).join('');
     const quarters = [[1, 1], [-1, 1], [1, -1], [-1, -1]].map(([x, y]) => `<g transform="scale(${x} ${y})">${quarter}</g>`).join('');
     const plane = (y) => `<rect x="${-wide}" y="${y}" width="${2 * wide}" height="${thickness * unit}" fill="var(--axis)"/>`;
     this.svg.innerHTML = quarters + plane(-face - thickness * unit) + plane(face);
