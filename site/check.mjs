@@ -5,11 +5,13 @@ import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs'
 import { dirname, join, posix, resolve } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { sections } from './.vitepress/sidebar.mjs'
+import { editLink, versionsIn } from './publish.mjs'
 import { slugify } from './slug.mjs'
 
 const root = resolve(dirname(fileURLToPath(import.meta.url)), '..')
 const [site, base, program] = process.argv.slice(2)
 const faults = []
+const listed = () => new Set(sections().flatMap(section => section.items.map(([, path]) => path + '.html')))
 const walk = folder => readdirSync(folder, { withFileTypes: true }).flatMap(entry =>
   entry.isDirectory() ? walk(join(folder, entry.name)) : [join(folder, entry.name)])
 const unescape = text => text.replaceAll('&amp;', '&').replaceAll('&#39;', "'").replaceAll('&quot;', '"')
@@ -20,7 +22,10 @@ const files = walk(site).map(file => posix.relative(site, file))
 const pages = files.filter(file => file.endsWith('.html'))
 const html = new Map(pages.map(page => [page, readFileSync(join(site, page), 'utf8')]))
 const ids = new Map([...html].map(([page, text]) => [page, new Set([...text.matchAll(/\s(?:id|name)="([^"]*)"/g)].map(m => unescape(m[1])))]))
-let links = 0
+const version = readFileSync(join(root, 'CMakeLists.txt'), 'utf8').match(/project\(platen VERSION ([0-9.]+)/)[1]
+const versions = versionsIn(process.env.PLATEN_SITE_VERSIONS, version), repository = process.env.PLATEN_REPOSITORY
+const seen = new Set() // other versions, by page
+let links = 0, edits = 0
 for (const [page, text] of html) {
   const body = text.replace(/<script[\s\S]*?<\/script>/g, script => script.match(/^<script[^>]*>/)[0]).replace(/<style[\s\S]*?<\/style>/g, '')
   for (const [, tag, attributes] of body.matchAll(/<([a-z]+)((?:\s+[\w:@-]+(?:="[^"]*")?)*)\s*\/?>/g))
@@ -29,10 +34,15 @@ for (const [page, text] of html) {
       if (/^(data:|mailto:)/.test(target)) continue
       if (/^(https?:)?\/\//.test(target)) {
         if (tag !== 'a') faults.push(`${page}: <${tag}> asks for ${target}`)
+        const source = repository && target.startsWith(repository + '/edit/main/') ? target.slice(repository.length + 11) : ''
+        if (source && !existsSync(join(root, source))) faults.push(`${page}: ${source}, to be edited, is not there`)
+        if (source) ++edits
         continue
       }
       ++links
       const [path, anchor] = target.split('#')
+      const other = path.match(/\/\.\.\/([^/]+)\/$/)?.[1]
+      if (other && versions.includes(other)) { seen.add(`${page} ${other}`); continue }
       let to = path === '' ? page : path.startsWith('/') ? path : posix.join('/', base, posix.dirname(page), path)
       if (path !== '') {
         if (!to.startsWith(base)) { faults.push(`${page}: ${target} leaves ${base}`); continue }
@@ -46,12 +56,18 @@ for (const [page, text] of html) {
 for (const file of files.filter(file => file.endsWith('.css')))
   for (const [, target] of readFileSync(join(site, file), 'utf8').matchAll(/url\(["']?(https?:[^)"']*)/g)) faults.push(`${file} asks for ${target}`)
 
+// --- version, other versions, and where a page is edited ---
+
+if (!html.get('index.html').includes(`Platen ${version}`)) faults.push('index.html does not say its version')
+for (const page of listed()) for (const name of versions) if (!seen.has(`${page} ${name}`)) faults.push(`${page}: no link to version ${name}`)
+if (repository ? edits < 50 : [...html.values()].some(text => text.includes('Edit this page'))) faults.push(`${edits} links to edit a page, of repository ${repository}`)
+if (editLink(undefined) || versionsIn(undefined).length) faults.push('links where nothing is known')
+
 // --- pages: each is in the list of pages, and each of the list is there ---
 
-const listed = new Set(sections().flatMap(section => section.items.map(([, path]) => path + '.html')))
-for (const page of listed) if (!html.has(page)) faults.push(`${page} is in the list of pages and was not built`)
+for (const page of listed()) if (!html.has(page)) faults.push(`${page} is in the list of pages and was not built`)
 for (const page of pages)
-  if (!listed.has(page) && !/^(404|contents|papers\/index)\.html$|^(source|explorer)\//.test(page)) faults.push(`${page} is in no list of pages`)
+  if (!listed().has(page) && !/^(404|contents|papers\/index)\.html$|^(source|explorer)\//.test(page)) faults.push(`${page} is in no list of pages`)
 
 // --- commands ---
 
@@ -130,5 +146,5 @@ for (const [, suite, name] of named)
 
 for (const fault of faults.slice(0, 50)) console.error(`site: ${fault}`)
 if (!links || !commands || !named.length) console.error('site: nothing was checked'), process.exit(2)
-console.log(`site: ${pages.length} pages, ${links} links, ${forge} links of the Markdown, ${commands} commands, ${questions.length} questions, ${named.length} tests named; ${faults.length} faults`)
+console.log(`site: ${pages.length} pages, ${links} links, ${edits} to edit, ${seen.size} to other versions, ${forge} links of the Markdown, ${commands} commands, ${questions.length} questions, ${named.length} tests named; ${faults.length} faults`)
 process.exit(faults.length ? 2 : 0)

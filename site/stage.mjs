@@ -179,6 +179,7 @@ mkdirSync(join(out, 'public'), { recursive: true })
 cpSync(join(root, 'site/icon.svg'), join(out, 'public/icon.svg'))
 const explorer = join(out, '../explorer')
 const start = relink(read('site/start.md'), 'site/start.md')
+  .replace('<!-- version -->', `These pages are of Platen ${read('CMakeLists.txt').match(/project\(platen VERSION ([0-9.]+)/)[1]}.`)
 if (existsSync(explorer)) {
   cpSync(explorer, join(out, 'public/explorer'), { recursive: true })
   write('index.md', start.replace('<!-- explorer -->', '<p><a class="big" href="./explorer/index.html" target="_self">Move a slider: the explorer</a></p>'))

@@ -22,8 +22,8 @@ make --no-print-directory -s -j "${PLATEN_JOBS:-$(nproc)}" -f web/Makefile BUILD
   "$build/explorer.wasm" "${@/#/$build/}"
 rm -rf "${out:?}"/*
 cp web/page/* "$build/explorer.wasm" "$out"
-node web/catalogue.mjs catalogue "$out/catalogue.gz"
-# What the page keeps, under a name that changes with it.
-files=$(cd "$out" && ls | grep -v service-worker.js | sed 's/.*/"&"/' | paste -sd,)
+node web/catalogue.mjs catalogue "$out"
+# What the page keeps, under a name that changes with it; the zones once they were asked for.
+files=$(cd "$out" && ls | grep -v -e service-worker.js -e zones.gz | sed 's/.*/"&"/' | paste -sd,)
 key=$(cd "$out" && cat * | sha256sum | cut -c1-12)
 sed -i "s|'VERSION'|'platen-explorer-$key'|; s|= FILES|= [\"./\",$files]|" "$out/service-worker.js"

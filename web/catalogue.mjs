@@ -1,5 +1,5 @@
-// What prediction and the three questions need of the catalogue, in one compressed file.
-// node catalogue.mjs CATALOGUE OUT.gz
+// What prediction and the three questions need of the catalogue, in one compressed file; the zones in another.
+// node catalogue.mjs CATALOGUE OUT_FOLDER
 import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { gzipSync } from 'node:zlib';
@@ -12,7 +12,8 @@ const surrogates = readdirSync(pools).sort() // in the order in which the progra
     const text = readFileSync(file, 'utf8'), guide = text.indexOf('\nguide ');
     return guide < 0 ? text : text.slice(0, guide + 1); // a page presses nothing first
   });
-const known = /^model = "(elastic|von-mises|vmdc)"/m;
+surrogates.push(readFileSync(join(pools, 'wang/grains.csv'), 'utf8')); // rock
+const known = /^model = "(elastic|von-mises|vmdc|drucker-prager)"/m;
 const cards = readdirSync(join(catalogue, 'materials')).sort()
   .map((file) => ({ id: file.replace(/\.toml$/, ''), text: readFileSync(join(catalogue, 'materials', file), 'utf8') }))
   .filter(({ text }) => known.test(text) && !/^hardening/m.test(text)).map(({ id, text }) => card(id, text));
@@ -29,4 +30,6 @@ function card(id, text) {
   }
   return { id, name: sections[''].name, model: sections[''].model, parameters: sections.parameters, source: sections.source?.default };
 }
-writeFileSync(out, gzipSync(JSON.stringify({ surrogates, cards }), { level: 9 }));
+const pack = (name, text) => writeFileSync(join(out, name), gzipSync(text, { level: 9 }));
+pack('catalogue.gz', JSON.stringify({ surrogates, cards }));
+pack('zones.gz', readFileSync(new URL('zones.json', import.meta.url)));

@@ -1,6 +1,7 @@
 import { existsSync, readFileSync } from 'node:fs'
 import { defineConfig } from 'vitepress'
 import { sections } from './sidebar.mjs'
+import { editLink, versionsIn } from '../publish.mjs'
 import { scripts } from '../scripts.mjs'
 import { slugify } from '../slug.mjs'
 
@@ -11,6 +12,7 @@ const repository = process.env.PLATEN_REPOSITORY ?? text('CITATION.cff').match(/
 const source = new URL('build/site/src/', root).pathname
 const explorer = existsSync(source + 'public/explorer/index.html')
 const base = process.env.PLATEN_SITE_BASE ?? '/'
+const versions = versionsIn(process.env.PLATEN_SITE_VERSIONS, version)
 const page = path => path === 'index' ? '/' : '/' + path.replace(/(^|\/)index$/, '$1')
 const first = name => page(sections().find(section => section.text === name).items[0][1])
 
@@ -32,7 +34,8 @@ export default defineConfig({
         ({ text: name, link: first(name), activeMatch: `^/${name.toLowerCase()}/` })),
       { text: 'Gallery', link: '/gallery' },
       ...(explorer ? [{ text: 'Explorer', link: '/explorer/index.html', target: '_self' }] : []),
-      { text: version, items: [{ text: 'The papers', link: '/papers' }, { text: 'What changed', link: '/changelog' }, { text: 'All pages', link: '/contents' }] },
+      { text: version, items: [{ text: 'The papers', link: '/papers' }, { text: 'What changed', link: '/changelog' }, { text: 'All pages', link: '/contents' },
+        ...(versions.length ? [{ text: 'Other versions', items: versions.map(name => ({ text: name, link: `/../${name}/`, target: '_self' })) }] : [])] },
     ],
     sidebar: sections().map(({ text, items }, at) => ({ text, collapsed: at > 1,
       items: items.map(([text, path]) => ({ text, link: page(path) })) })),
@@ -45,8 +48,7 @@ export default defineConfig({
       miniSearch: { searchOptions: { fuzzy: 0.2, prefix: true, boost: { title: 6, titles: 2, text: 1 },
         // whoever searches wants to do something first
         boostDocument: id => /\/(contents|changelog|contributing|questions)/.test(id) ? 0.3 : /\/(how-to|tutorials)\//.test(id) ? 2 : 1 } } } },
-    editLink: repository && { text: 'Edit this page', pattern: ({ filePath, frontmatter }) =>
-      frontmatter.from ? `${repository}/edit/main/${frontmatter.from}` : `${repository}/tree/main/site` },
+    editLink: editLink(repository),
     externalLinkIcon: true,
     footer: { message: '<a href="' + base + 'contents.html">All pages</a> · BSD-3-Clause' },
   },

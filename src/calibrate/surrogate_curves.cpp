@@ -34,7 +34,7 @@ law::PressedMaterial curve(const Surrogate& s, const Said& l, const material::Ma
 
 /// Standard deviation of a score; `wider`: of the band over what the processes would have.
 double deviation(const Process& process, const Inputs& inputs, const std::vector<double>& at, double wider) {
-  return wider * std::sqrt(variance_at(process, inputs, at) + process.nugget * process.variance);
+  return wider * std::sqrt(variances({&process, 1}, inputs, at)[0] + process.nugget * process.variance);
 }
 
 } // namespace

@@ -7,7 +7,6 @@
 #include "fit/least_squares.hpp"
 #include "fit/samples.hpp"
 #include "fit/unloading.hpp"
-#include "platen/law/drucker_prager_yield.hpp"
 
 #include <fmt/format.h>
 
@@ -215,12 +214,6 @@ press::Curve hertz_consistent(const press::Curve& curve) {
 
 double WangFit::F_over_F_y(double omega) const {
   return omega < 1 ? std::pow(omega, 1.5) : a * std::pow(omega, b);
-}
-
-FirstYield first_yield(double E, double nu, double phi_deg, double sigma_c, double R) {
-  const double p0 = law::drucker_prager_yield(nu, phi_deg, sigma_c).p0;
-  const double E_star = E / (1 - nu * nu), a = std::numbers::pi * p0 / (2 * E_star) * R;
-  return {2 * std::numbers::pi / 3 * p0 * a * a, a * a / R, a};
 }
 
 std::size_t points_beyond(const press::Curve& curve, const FirstYield& yield) {

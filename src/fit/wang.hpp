@@ -6,6 +6,7 @@
 // Hertz-consistent one, with the far field of the finite sphere taken out: then an elastic sphere has
 // a = m = 1 and b = n = 3/2.
 
+#include "fit/first_yield.hpp"
 #include "fit/law_card.hpp"
 #include "fit/unloading.hpp"
 #include "press/curve.hpp"
@@ -30,12 +31,6 @@ struct WangUnloadingFit {
   double delta_res_m = 0; ///< residual overlap, one sphere
   double r_squared = 0;
 };
-
-/// Hertz at first yield on the axis: one sphere on a rigid plane, or of two equal ones.
-struct FirstYield {
-  double F_N, delta_m, contact_radius_m;
-};
-FirstYield first_yield(double E_Pa, double nu, double phi_deg, double sigma_c_Pa, double radius_m);
 
 /// Points of the loading branch from first yield on, over the Hertz-consistent overlap. With as few
 /// as a and b are, first yield itself is the third; fewer than `enough` are said.

@@ -76,9 +76,10 @@ std::vector<double> variances_at(const Components& components, const Inputs& inp
                                  std::span<const double> at) {
   std::vector<double> variance;
   for (const double rest : components.rest) variance.push_back(rest * rest);
+  const auto of_scores = variances(components.processes, inputs, at);
   for (std::size_t c = 0; c < components.basis.size(); ++c) {
     const Process& process = components.processes[c];
-    const double of_score = variance_at(process, inputs, at) + process.nugget * process.variance;
+    const double of_score = of_scores[c] + process.nugget * process.variance;
     for (std::size_t j = 0; j < variance.size(); ++j)
       variance[j] += of_score * components.basis[c][j] * components.basis[c][j];
   }

@@ -38,24 +38,6 @@ inline Eigen::Map<const Eigen::VectorXd> vector_of(std::span<const double> x) {
   return {x.data(), static_cast<Eigen::Index>(x.size())};
 }
 
-/// Of all inputs from a place.
-inline Eigen::ArrayXd distances(const Process& p, const Inputs& inputs, std::span<const double> at) {
-  const auto rows = rows_of(inputs);
-  Eigen::ArrayXd squares = Eigen::ArrayXd::Zero(rows.rows());
-  for (Eigen::Index k = 0; k < rows.cols(); ++k) {
-    const auto i = static_cast<std::size_t>(k);
-    squares += (p.w[i] * (rows.col(k).array() - at[i])).square();
-  }
-  return (5 * squares).sqrt();
-}
-/// The kernels over v between all inputs and a place, of those distances.
-inline Eigen::ArrayXd kernels(const Process& p, const Inputs& inputs, std::span<const double> at,
-                              const Eigen::ArrayXd& r) {
-  const Eigen::VectorXd centred = (vector_of(at).array() - 0.5).matrix();
-  const Eigen::ArrayXd plane = (rows_of(inputs) * centred).array() - 0.5 * centred.sum() + 1;
-  return (1 + r + r.square() / 3) * (-r).exp() + p.plane * plane;
-}
-
 /// The matrix over v, a column at a time, its kernels together.
 inline Eigen::MatrixXd matrix_of(const Process& p, const Inputs& inputs) {
   const auto x = rows_of(inputs);

@@ -5,6 +5,7 @@
 #include "surrogate/kernel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -15,66 +16,92 @@ using Eigen::MatrixXd, Eigen::VectorXd;
 
 constexpr std::size_t most_for_variance = 160;
 
-/// Numbers of the inputs at these distances, those that are asked first: nearest, and of equals the first.
-std::vector<std::pair<double, std::size_t>> nearest_first(const Eigen::ArrayXd& r, std::size_t& asked) {
+/// Numbers of the inputs at these distances that are asked, nearest first, and of equals the first.
+std::vector<std::size_t> nearest(const double* r, std::size_t count) {
   std::vector<std::pair<double, std::size_t>> order;
-  for (Eigen::Index i = 0; i < r.size(); ++i) order.emplace_back(r(i), static_cast<std::size_t>(i));
-  asked = std::min(order.size(), most_for_variance);
-  std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(asked), order.end());
-  return order;
+  for (std::size_t i = 0; i < count; ++i) order.emplace_back(r[i], i);
+  const auto asked = order.begin() + static_cast<std::ptrdiff_t>(std::min(count, most_for_variance));
+  std::nth_element(order.begin(), asked, order.end());
+  std::sort(order.begin(), asked);
+  std::vector<std::size_t> near;
+  std::for_each(order.begin(), asked, [&](const auto& one) { near.push_back(one.second); });
+  return near;
 }
 
-Inputs rows_at(const Inputs& inputs, const std::vector<Eigen::Index>& which) {
+Inputs rows_at(const Inputs& inputs, const std::vector<std::size_t>& which) {
   Inputs some{inputs.dimensions, {}};
-  for (const auto i : which) {
-    const auto row = inputs.row(static_cast<std::size_t>(i));
+  for (const std::size_t i : which) {
+    const auto row = inputs.row(i);
     some.values.insert(some.values.end(), row.begin(), row.end());
   }
   return some;
 }
 
-} // namespace
+/// R = L L^T over the nearest inputs, a row an input. From place to place few of them change, and those were
+/// the farthest: the rows before the first one that has gone stay.
+class NearFactor {
+ public:
+  /// k^T R^-1 k.
+  double explained(const MatrixXd& R, std::vector<std::size_t> near, const double* k) {
+    keep(near, R.rows());
+    for (const std::size_t input : near) append(R, input);
+    std::array<double, most_for_variance> z{};
+    for (std::size_t i = 0; i < order_.size(); ++i)
+      z[i] = (k[order_[i]] - product(row(i), z.data(), i)) / row(i)[i];
+    return product(z.data(), z.data(), order_.size());
+  }
 
-/// R = L L^T of all inputs; of so many that the nearest are the smaller part, R alone.
-struct Known {
-  MatrixXd L_inverse, inverse, R;
+ private:
+  static Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
+  double* row(std::size_t i) { return L_.data() + i * most_for_variance; }
+
+  /// What of `near`, nearest first, is there already goes from it.
+  void keep(std::vector<std::size_t>& near, Eigen::Index inputs) {
+    std::vector<char> wanted(static_cast<std::size_t>(inputs));
+    for (const std::size_t input : near) wanted[input] = 1;
+    order_.erase(std::find_if(order_.begin(), order_.end(), [&](std::size_t i) { return !wanted[i]; }),
+                 order_.end());
+    for (const std::size_t input : order_) wanted[input] = 0;
+    std::erase_if(near, [&](std::size_t i) { return !wanted[i]; });
+  }
+
+  void append(const MatrixXd& R, std::size_t input) {
+    L_.resize(most_for_variance * most_for_variance);
+    const std::size_t n = order_.size();
+    double* own = row(n);
+    std::fill(own, own + most_for_variance, 0);
+    for (std::size_t i = 0; i < n; ++i)
+      own[i] = (R(index(order_[i]), index(input)) - product(row(i), own, i)) / row(i)[i];
+    own[n] = std::sqrt(R(index(input), index(input)) - product(own, own, n));
+    order_.push_back(input);
+  }
+
+  /// Of the first numbers, where beyond them zeros stand in one of the two.
+  static double product(const double* x, const double* y, std::size_t count) {
+    using T = core::Lanes;
+    static_assert(core::lanes<T> == 8 && most_for_variance % 8 == 0);
+    T sum{}, a, b;
+    for (std::size_t i = 0; i < count; i += 8) {
+      std::memcpy(&a, x + i, sizeof a);
+      std::memcpy(&b, y + i, sizeof b);
+      sum += a * b;
+    }
+    return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+  }
+
+  std::vector<std::size_t> order_;
+  std::vector<double> L_;
 };
 
-namespace {
-
-/// k^T R^-1 k over the inputs that are asked: over all of them, less what the others T add. With q = R^-1 k
-/// that is q_T^T (R^-1)_TT^-1 q_T, the closed form of leaving out.
-double explained_by_known(const Process& p, const Inputs& inputs, std::span<const double> at) {
-  std::size_t asked = 0;
-  const Eigen::ArrayXd r = distances(p, inputs, at);
-  const auto order = nearest_first(r, asked);
-  const VectorXd z = p.known->L_inverse.triangularView<Eigen::Lower>() * kernels(p, inputs, at, r).matrix();
-  const auto left = static_cast<Eigen::Index>(order.size() - asked);
-  if (left == 0) return z.squaredNorm();
-  MatrixXd P(left, left);
-  VectorXd q(left);
-  for (Eigen::Index a = 0; a < left; ++a) {
-    const auto i = static_cast<Eigen::Index>(order[asked + static_cast<std::size_t>(a)].second);
-    q(a) = p.known->L_inverse.col(i).dot(z);
-    for (Eigen::Index b = 0; b <= a; ++b)
-      P(a, b) =
-          p.known->inverse(static_cast<Eigen::Index>(order[asked + static_cast<std::size_t>(b)].second), i);
-  }
-  return z.squaredNorm() - P.llt().matrixL().solve(q).squaredNorm();
-}
-
 } // namespace
 
+struct Known {
+  MatrixXd R; ///< of all inputs
+  mutable NearFactor near;
+};
+
 void remember(Process& p, const Inputs& inputs) {
-  const auto n = static_cast<Eigen::Index>(inputs.size());
-  auto known = std::make_shared<Known>();
-  known->R = matrix_of(p, inputs);
-  if (inputs.size() <= 2 * most_for_variance) {
-    known->L_inverse = known->R.llt().matrixL().solve(MatrixXd::Identity(n, n));
-    known->inverse = known->L_inverse.transpose() * known->L_inverse;
-    known->R.resize(0, 0);
-  }
-  p.known = std::move(known);
+  p.known = std::make_shared<Known>(Known{matrix_of(p, inputs), {}});
 }
 
 namespace {
@@ -99,26 +126,44 @@ struct Place {
   static constexpr std::size_t width = core::lanes<core::Lanes>;
 };
 
+/// each(i, r, k): distances of so many inputs from i on, and their kernels over v.
+template <class Each> void for_kernels(const Process& p, const Place& place, Each each) {
+  using T = core::Lanes;
+  T x;
+  for (std::size_t i = 0; i < place.length; i += Place::width) {
+    T square{};
+    for (std::size_t k = 0; k < p.w.size(); ++k) {
+      std::memcpy(&x, &place.squares[k * place.length + i], sizeof x);
+      square += p.w[k] * p.w[k] * x;
+    }
+    const T r = core::sqrt(square);
+    std::memcpy(&x, &place.plane[i], sizeof x);
+    each(i, r, (1 + r + r * r / 3) * core::exp(-r) + p.plane * x);
+  }
+}
+
 /// Sum of kernel times weight; `weights` as long as the columns.
 PLATEN_VECTOR_CLONES [[gnu::flatten]] double weighted(const Process& p, const Place& place,
                                                       const double* weights) {
   using T = core::Lanes;
-  const auto load = [](const double* from, T& x) { std::memcpy(&x, from, sizeof x); };
-  T sum{}, x, w;
-  for (std::size_t i = 0; i < place.length; i += Place::width) {
-    T square{};
-    for (std::size_t k = 0; k < p.w.size(); ++k) {
-      load(&place.squares[k * place.length + i], x);
-      square += p.w[k] * p.w[k] * x;
-    }
-    const T r = core::sqrt(square);
-    load(&place.plane[i], x);
-    load(weights + i, w);
-    sum += w * ((1 + r + r * r / 3) * core::exp(-r) + p.plane * x);
-  }
+  T sum{}, w;
+  for_kernels(p, place, [&](std::size_t i, const T&, const T& kernel) {
+    std::memcpy(&w, weights + i, sizeof w);
+    sum += w * kernel;
+  });
   double all = 0;
   for (std::size_t n = 0; n < Place::width; ++n) all += sum[n];
   return all;
+}
+
+/// Distances and kernels themselves, as long as the columns.
+PLATEN_VECTOR_CLONES [[gnu::flatten]] void kernels(const Process& p, const Place& place, double* distances,
+                                                   double* over_v) {
+  using T = core::Lanes;
+  for_kernels(p, place, [&](std::size_t i, const T& r, const T& kernel) {
+    std::memcpy(distances + i, &r, sizeof r);
+    std::memcpy(over_v + i, &kernel, sizeof kernel);
+  });
 }
 
 } // namespace
@@ -156,19 +201,23 @@ void pass_through(Process& p, const Inputs& inputs, std::span<const double> valu
   for (Eigen::Index i = 0; i < n; ++i) p.weights.push_back(z(i) / p.variance);
 }
 
-double variance_at(const Process& p, const Inputs& inputs, std::span<const double> at) {
-  const auto variance = [&](double explained) {
-    return p.variance * std::max(0.0, 1 + p.plane * plane_product(at, at) - explained);
-  };
-  if (p.known && p.known->R.size() == 0) return variance(explained_by_known(p, inputs, at));
-  std::size_t asked = 0;
-  const Eigen::ArrayXd r = distances(p, inputs, at), all = kernels(p, inputs, at, r);
-  std::vector<Eigen::Index> near;
-  for (const auto& [distance, i] : nearest_first(r, asked)) near.push_back(static_cast<Eigen::Index>(i));
-  near.resize(asked);
-  std::sort(near.begin(), near.end());
-  const MatrixXd R = p.known ? MatrixXd(p.known->R(near, near)) : matrix_of(p, rows_at(inputs, near));
-  return variance(R.llt().matrixL().solve(VectorXd(all(near))).squaredNorm());
+std::vector<double> variances(std::span<const Process> processes, const Inputs& inputs,
+                              std::span<const double> at) {
+  const Place place(inputs, at);
+  std::vector<double> r(place.length), k(place.length), result;
+  for (const Process& p : processes) {
+    kernels(p, place, r.data(), k.data());
+    auto near = nearest(r.data(), inputs.size());
+    double explained = 0;
+    if (p.known) explained = p.known->near.explained(p.known->R, std::move(near), k.data());
+    else {
+      VectorXd asked(near.size());
+      for (std::size_t i = 0; i < near.size(); ++i) asked(static_cast<Eigen::Index>(i)) = k[near[i]];
+      explained = matrix_of(p, rows_at(inputs, near)).llt().matrixL().solve(asked).squaredNorm();
+    }
+    result.push_back(p.variance * std::max(0.0, 1 + p.plane * plane_product(at, at) - explained));
+  }
+  return result;
 }
 
 } // namespace platen::surrogate

@@ -52,11 +52,12 @@ void pass_through(Process&, const Inputs&, std::span<const double> values);
 /// coordinates are expected in about [0, 1], values about zero. Deterministic.
 Process fit_process(const Inputs&, std::span<const double> values);
 
-/// Of the function at a place, without the nugget. Of many inputs the nearest alone are asked, so it is a
+/// Of the functions at a place, without the nugget. Of many inputs the nearest alone are asked, so they are a
 /// little too large.
-double variance_at(const Process&, const Inputs&, std::span<const double> at);
+std::vector<double> variances(std::span<const Process>, const Inputs&, std::span<const double> at);
 
-/// From now on variance_at() takes a part of the time, with the same result. Wants the inputs as they stay.
+/// From now on variances() takes a part of the time, with the same result, the less the nearer places follow
+/// each other. Wants the inputs as they stay, and one thread.
 void remember(Process&, const Inputs&);
 
 } // namespace platen::surrogate

@@ -19,9 +19,14 @@
 
 namespace platen::surrogate {
 
-/// a, b of (16), m, n of (17), in the law's convention: elastic 1, 3/2, 1, 3/2.
+/// a, b of (16), m, n of (17), in the law's convention.
 using Coefficients = std::array<double, 4>;
+inline constexpr Coefficients of_elastic = {1, 1.5, 1, 1.5};
 inline constexpr std::array<const char*, 4> coefficient_names = {"a", "b", "m", "n"};
+
+/// F over F_y at omega, as the law has it, and omega at such a force.
+double force_at(const Coefficients&, double omega);
+double omega_at(const Coefficients&, double force);
 
 struct Grain {
   int run = 0; ///< in the runs.csv of its pool
@@ -60,6 +65,7 @@ class RockInterpolation {
   explicit RockInterpolation(const Rock&, CoordinatesOf = coordinates_of);
   std::optional<Coefficients> at(const Grain&) const;
   std::vector<Share> shares(const Grain&) const;
+  const Rock& rock() const { return rock_; }
 
  private:
   const Rock& rock_;
@@ -101,7 +107,12 @@ struct PredictedRock {
   double yield = 0;              ///< as yield_of()
   std::vector<std::string> near; ///< the three grains with the greatest share
 };
-/// From the catalogues' pool of rock. InvalidInput where the grains say nothing of the material.
+/// InvalidInput where the grains say nothing of the material: it advises to press the card.
+PredictedRock predict_rock(const RockInterpolation&, const material::Material&,
+                           const std::string& advised_card);
+/// From the catalogues' pool of rock.
 PredictedRock predict_rock(const material::Material&, const std::string& advised_card);
+/// What else could be done about the material of a card.
+std::string advice_to_press(const std::string& card);
 
 } // namespace platen::surrogate

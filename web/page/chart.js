@@ -26,6 +26,12 @@ function decades(low, high) {
 }
 const superscript = (k) => String(k).replace(/./g, (c) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[c] ?? '⁻');
 
+/// The next of steps of an eighth or so: an end that stays while a curve moves a little.
+export function roundedUp(end) {
+  const power = 10 ** Math.floor(Math.log10(end));
+  return power * [1, 1.1, 1.25, 1.4, 1.6, 1.8, 2, 2.25, 2.5, 2.8, 3.2, 3.6, 4, 4.5, 5, 5.6, 6.3, 7, 8, 9, 10].find((step) => step * power >= end * (1 - 1e-9));
+}
+
 export class Chart {
   /// x, y: { title, unit, log }; right: room for labels.
   constructor(host, { x, y, height, right = 12, label, role = 'img' }) {
@@ -118,18 +124,22 @@ export class Chart {
   /// Words beside the ends of lines: { text, y (SI), colour, dash }; kept apart.
   beside(list) {
     const x = this.width - this.right + 8, gap = 15;
-    const places = list.map((one) => ({ ...one, at: Math.max(this.top + 5, Math.min(this.floor - 4, this.py(one.y))), above: this.py(one.y) < this.top }))
+    const places = list.map((one) => ({ ...one, at: Math.round(Math.max(this.top + 5, Math.min(this.floor - 4, this.py(one.y)))), above: this.py(one.y) < this.top }))
       .sort((a, b) => a.at - b.at || b.y - a.y);
     for (let i = 1; i < places.length; ++i) places[i].at = Math.max(places[i].at, places[i - 1].at + gap);
-    this.labels.innerHTML = places.map((p) =>
+    const labels = places.map((p) =>
       `<path d="M${x} ${p.at}h14" stroke="${p.colour}" stroke-width="${p.width ?? 2}" ${p.dash ? `stroke-dasharray="${p.dash}"` : ''}/>` +
       `<text x="${x + 19}" y="${p.at}" dy=".35em" fill="var(--ink)"${p.strong ? ' font-weight="700"' : ''}>${p.text}${p.above ? ' ↑' : ''}</text>`).join('');
+    if (labels !== this.labelled) this.labels.innerHTML = this.labelled = labels;
+  }
+  unlabelled() {
+    this.labels.textContent = this.labelled = '';
   }
 }
 
 export const light = { ink: '#222b34', axis: '#5b6670', grid: '#e3e7eb', press: '#0072b2', band: '#0072b2', unloading: '#9aa8b5', contact: '#222b34',
   measured: '#222b34', paper: '#ffffff', hertz: '#5b6670', 'edmans-sinka': '#d55e00', similarity: '#b87900', 'jackson-green': '#009e73',
-  mdr: '#cc79a7', agarwal: '#56b4e9', 'thornton-ning': '#7f6a3f', 'kogut-etsion': '#a0522d' };
+  mdr: '#cc79a7', wang: '#7a5fb0', agarwal: '#56b4e9', 'thornton-ning': '#7f6a3f', 'kogut-etsion': '#a0522d' };
 
 /// Pictures one beside the other as one SVG that stands alone.
 export function exported(charts, title) {

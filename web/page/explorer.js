@@ -1,8 +1,9 @@
 // The page: sliders to the worker, its numbers to the pictures.
 
-import { Chart, element, exported } from './chart.js';
+import { Chart, element, exported, roundedUp } from './chart.js';
+import { Inside } from './inside.js';
 import { fromLink, initial, toLink } from './link.js';
-import { allOf, answered, cardOf, fromCard, lines, models, particle, positionOf, questions, starting, valueAt } from './materials.js';
+import { allOf, answered, cardOf, fromCard, lines, modelOf, models, particle, positionOf, questions, starting, valueAt } from './materials.js';
 import { typed, words } from './quantity.js';
 
 const $ = (id) => document.getElementById(id);
@@ -77,7 +78,7 @@ let marked = null;
 let laterTimer = 0;
 function later() {
   clearTimeout(laterTimer);
-  laterTimer = setTimeout(() => { verdict(); history.replaceState(null, '', toLink(state)); }, 250);
+  laterTimer = setTimeout(() => { verdict(); lookInside(); history.replaceState(null, '', toLink(state)); }, 250);
 }
 
 // --- sliders -----------------------------------------------------------------------------------------------------------------------
@@ -245,7 +246,7 @@ const radius = new Chart($('radius'), { x: overlap, y: { title: 'contact radius 
 const pressure = new Chart($('pressure'), { x: overlap, y: { title: 'mean pressure  p', unit: 'Pa' }, height: 230, label: 'Mean pressure over overlap' });
 const restitution = new Chart($('restitution'), { x: { title: 'velocity  v', unit: 'm/s', log: true }, y: { title: 'restitution  e', unit: '' }, height: 230, label: 'Coefficient of restitution over velocity' });
 
-const dashes = { hertz: '7 4', similarity: '2 4', 'edmans-sinka': '9 3 2 3', 'jackson-green': '5 3', mdr: '12 4', agarwal: '3 3', 'thornton-ning': '8 3 3 3', 'kogut-etsion': '1 4' };
+const dashes = { hertz: '7 4', similarity: '2 4', 'edmans-sinka': '9 3 2 3', 'jackson-green': '5 3', mdr: '12 4', wang: '10 3', agarwal: '3 3', 'thornton-ning': '8 3 3 3', 'kogut-etsion': '1 4' };
 
 // The contact that is dragged: a dot that is a slider to the keyboard.
 const trace = element('path', { fill: 'none', stroke: colour('contact'), 'stroke-width': 2.2, 'stroke-linecap': 'round', 'stroke-linejoin': 'round' }, force.marks);
@@ -279,7 +280,7 @@ function drawNow(answer) {
     document.documentElement.dataset.revision = String(1 + Number(document.documentElement.dataset.revision ?? 0));
     last = { sentence: answer.sentence };
     $('answer').classList.add('stale');
-    for (const chart of [force, radius, pressure, restitution]) { chart.only(new Set()); chart.labels.textContent = ''; }
+    for (const chart of [force, radius, pressure, restitution]) { chart.only(new Set()); chart.unlabelled(); }
     trace.setAttribute('d', '');
     dot.setAttribute('visibility', 'hidden');
     $('readout').hidden = true;
@@ -290,17 +291,17 @@ function drawNow(answer) {
   $('readout').hidden = false;
   last = answer;
   const { curves: c, numbers: n } = answer;
-  fitWidths();
+  if (!force.width) fitWidths();
   const N = c.points, at = (i, k) => n[5 * i + k];
   const band = 5 * N, loops = band + 3 * c.knots, rest = loops + 3 * c.loops * c.of_loop, beside = rest + 2 * c.restitution;
   const top = { F: 0, a: 0, p: 0 };
   for (let i = 0; i < N; ++i) top.F = Math.max(top.F, at(i, 1)), top.a = Math.max(top.a, at(i, 2)), top.p = Math.max(top.p, at(i, 3));
   for (let k = 0; k < c.knots; ++k) top.F = Math.max(top.F, n[band + 3 * k + 2]);
   const names = new Set(['band', 'loading', 'measured']);
-  force.range(0, c.end_m * 1.02, top.F * 1.05);
-  radius.range(0, c.end_m * 1.02, top.a * 1.05);
-  pressure.range(0, c.end_m * 1.02, top.p * 1.08);
-  let d = '';
+  force.range(0, c.end_m * 1.02, roundedUp(top.F * 1.02));
+  radius.range(0, c.end_m * 1.02, roundedUp(top.a * 1.02));
+  pressure.range(0, c.end_m * 1.02, roundedUp(top.p * 1.02));
+  let d = c.knots ? '' : 'M0 0'; // rock has no band
   for (let k = 0; k < c.knots; ++k) d += (k ? 'L' : 'M') + force.px(n[band + 3 * k]).toFixed(1) + ' ' + force.py(n[band + 3 * k + 2]).toFixed(1);
   for (let k = c.knots; k-- > 0;) d += 'L' + force.px(n[band + 3 * k]).toFixed(1) + ' ' + force.py(n[band + 3 * k + 1]).toFixed(1);
   force.path('band', { fill: colour('band'), 'fill-opacity': 0.2 }, d + 'Z');
@@ -327,7 +328,7 @@ function drawNow(answer) {
   radius.line('loading', line, { count: N, x: (i) => at(i, 0), y: (i) => at(i, 2) });
   pressure.line('loading', line, { count: N, x: (i) => at(i, 0), y: (i) => (i ? at(i, 3) : NaN) });
   labels.push({ text: 'predicted', y: at(N - 1, 1), colour: colour('press'), width: 3, strong: true });
-  const vHigh = n[rest + 2 * c.restitution - 2], vLow = Math.min(Math.max(n[rest], vHigh * 1e-5), vHigh / 10);
+  const vHigh = roundedUp(n[rest + 2 * c.restitution - 2]), vLow = Math.min(Math.max(n[rest], vHigh * 1e-5), vHigh / 10);
   restitution.range(vLow, vHigh, 1.05);
   restitution.line('loading', line, { count: c.restitution, x: (i) => (n[rest + 2 * i] >= vLow ? n[rest + 2 * i] : NaN), y: (i) => n[rest + 2 * i + 1] });
   if (measured) {
@@ -342,7 +343,7 @@ function drawNow(answer) {
   } else names.delete('measured');
   force.only(names);
   radius.only(names);
-  if (force.right > 100) force.beside(labels); else force.labels.textContent = '';
+  if (force.right > 100) force.beside(labels); else force.unlabelled();
   force.marks.append(trace);
   contact(answer.contact, true);
   document.documentElement.dataset.revision = String(1 + Number(document.documentElement.dataset.revision ?? 0));
@@ -380,10 +381,42 @@ function contact(numbers, anew) {
   rows.forEach(([, value], i) => { const dd = $('readout').children[i].lastChild; if (dd.textContent !== value) dd.textContent = value; });
 }
 
+// --- inside ---------------------------------------------------------------------------------------------------------------------------
+
+const inside = new Inside({ host: $('section'), words: $('inside-words'), keys: $('zones') });
+let near = null; // the pressed material that is shown, and of which material it is the nearest
+
+/// Asks for the nearest pressed material where it may be another one, and shows it.
+function lookInside() {
+  if (!$('inside').open || !inside.data || !last) return;
+  const of = last.sentence ?? materialText();
+  if (near?.of === of) return showInside();
+  ask('near', { runs: inside.runs.join('\n') }, (answer) => { near = { of, ...answer }; showInside(); });
+}
+function showInside() {
+  const none = near?.sentence ?? last?.sentence;
+  $('inside-shown').hidden = Boolean(none);
+  if (none) setText('inside-words', state.model === 'rock' ? 'Grains of rock were pressed at their contact alone, so there is no picture of the whole. platen derive material.toml --radius_m R -o out draws the zones of yours.' : 'There is no pressed material near this one.');
+  else inside.show(near.near, state.top * last.prediction.end, state.at < state.top - 1e-9);
+}
+$('inside').addEventListener('toggle', async () => {
+  if (!$('inside').open) return;
+  try {
+    if (!inside.data) {
+      $('inside-words').textContent = 'Loading pictures …';
+      await (inside.loading ??= inside.load());
+    }
+    lookInside();
+  } catch {
+    inside.loading = null;
+    $('inside-words').textContent = 'The pictures could not be loaded. Close this and open it again to try once more.';
+  }
+});
+
 function moveTo(overlap) {
   if (!last?.curves) return;
   const to = Math.min(last.curves.end_m, Math.max(0, overlap));
-  ask('step', { overlap: to }, (answer) => { contact(answer.contact, false); later(); });
+  ask('step', { overlap: to }, (answer) => { contact(answer.contact, false); if (near?.near && $('inside').open) showInside(); later(); });
 }
 
 let dragging = null;
@@ -431,17 +464,22 @@ function verdict() {
   setText('badge', mark);
   setText('verdict-word', title);
   const why = p.reasons.length ? sentenceOf(p.reasons.join('; ')) + ' ' : '';
-  const measuredBy = p.verdict === 'inside' ? '' : ` To know better, press it: platen predict material.toml presses it on few elements, platen derive material.toml -o out on many.`;
-  const expected = why.includes('expected to be') ? '' : `The curve is expected to be ${percent(p.expected)} off. `;
-  setText('why', `${why}${expected}Nine tenths of the points of such curves lie in the blue band.${measuredBy}`);
+  setText('why', why + (state.model === 'rock' ? trustInRock(p) : trust(p, why)));
   $('near').innerHTML = p.near.map((text) => { const [name, rest] = text.split(': '); return `<li><strong>${name}</strong> ${rest ?? ''}</li>`; }).join('');
   setText('origin', `Interpolated between ${p.runs} materials of pool ${p.pool}, pressed by finite elements (engine ${p.engine}, Platen ${p.version}); the law reaches to δ/R = ${Number(p.end.toPrecision(3))}.`);
   lawChips(p.laws);
 }
+function trust(p, why) {
+  const measuredBy = p.verdict === 'inside' ? '' : ` To know better, press it: platen predict material.toml presses it on few elements, platen derive material.toml -o out on many.`;
+  const expected = why.includes('expected to be') ? '' : `The curve is expected to be ${percent(p.expected)} off. `;
+  return `${expected}Nine tenths of the points of such curves lie in the blue band.${measuredBy}`;
+}
+const trustInRock = (p) => `Grains that were left out of the pool came out ${percent(p.left_out_median)} off in force, one in twenty more than ${percent(p.left_out_p95)}; there is no band.` +
+  (p.verdict === 'inside' ? '' : ' To know better, press it: platen derive material.toml --radius_m R -o out.');
 function setText(id, text) { if ($(id).textContent !== text) $(id).textContent = text; }
 const sentenceOf = (text) => text.charAt(0).toUpperCase() + text.slice(1) + (text.endsWith('.') ? '' : '.');
 
-const lawNotes = { similarity: 'similarity without hardening', 'thornton-ning': 'thornton-ning with a contact pressure of at most 1.6 σ_y', 'edmans-sinka': 'edmans-sinka by the regressions of its paper, two misprints mended' };
+const lawNotes = { similarity: 'similarity without hardening', 'thornton-ning': 'thornton-ning with a contact pressure of at most 1.6 σ_y', 'edmans-sinka': 'edmans-sinka by the regressions of its paper, two misprints mended', wang: 'wang by the regression of its paper, Table 2' };
 
 function lawChips(laws) {
   const key = laws.join() + '|' + state.beside.join() + '|' + last.curves.laws.map((one) => one.missing ?? '').join();
@@ -500,7 +538,7 @@ $('fit').addEventListener('click', () => {
     $('fit').disabled = false;
     if (sentence) { $('measured').textContent = sentenceOf(sentence); return; }
     const own = Number(f.value.toPrecision(4)), by = own / f.was;
-    if (state.model === 'von-mises' || state.model === 'elastic') state.values[f.key] = own;
+    if (['von-mises', 'elastic', 'rock'].includes(state.model)) state.values[f.key] = own;
     else if (state.model === 'ludwik') Object.assign(state.values, { sigma_y_Pa: own, K_Pa: Number((state.values.K_Pa * by).toPrecision(6)) });
     else { state.values.sigma_y_Pa = own; state.values.E_bar = Number((state.values.E_bar / by).toPrecision(6)); }
     ownNow();
@@ -573,7 +611,7 @@ function readLink() {
 }
 
 function begin(list) {
-  cards = list;
+  cards = list.map((card) => ({ ...card, model: modelOf(card) }));
   $('card').innerHTML = '<option value="">own numbers</option>' + cards.map((card) => `<option value="${card.id}">${card.name}</option>`).join('');
   buildMaterial();
   showAll();

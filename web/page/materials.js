@@ -33,6 +33,13 @@ export const models = {
       plain('xi_2', 'ξ₂', 'slope of the cap', 0, 4, 1.5)],
     beside: ['hertz', 'edmans-sinka'],
   },
+  rock: { // Drucker-Prager, associated
+    title: 'Rock or sand', says: 'a grain whose strength grows with pressure', card: 'drucker-prager',
+    parameters: [stress('E_Pa', 'E', "Young's modulus", 1e9, 1e11, 10e9),
+      stress('sigma_c_Pa', 'σ_c', 'uniaxial compressive strength', 1e6, 1e9, 15e6),
+      { ...plain('phi_deg', 'φ', 'friction angle', 10, 50, 25), unit: '°' }, plain('nu', 'ν', "Poisson's ratio", 0, 0.45, 0.15)],
+    beside: ['hertz', 'wang'],
+  },
   elastic: {
     title: 'Elastic', says: 'springs back',
     parameters: [stress('E_Pa', 'E', "Young's modulus", 1e4, 1e12, 10e9), plain('nu', 'ν', "Poisson's ratio", 0, 0.45, 0.3)],
@@ -62,6 +69,8 @@ export function valueAt(p, position) {
   return Number(value.toPrecision(3));
 }
 
+/// The kind of material of a card.
+export const modelOf = (card) => (card.model === 'drucker-prager' ? 'rock' : card.model);
 /// A card of the catalogue in the sliders' words.
 export function fromCard(card) {
   const values = starting(allOf(card.model));
@@ -78,6 +87,7 @@ export const questions = [
   { key: 'what', text: 'What is it?', answers: [
     ['vmdc', 'A granule or tablet of powder', 'it packs denser when squeezed'],
     ['von-mises', 'A ball of metal or plastic', 'it dents and stays dented'],
+    ['rock', 'A grain of rock or sand', 'hard, and its contacts crush'],
     ['elastic', 'Something that springs back', 'glass, rubber, ceramic']] },
   { key: 'hard', text: 'How hard does it feel?', answers: [
     [0, 'Crumbles between fingers', ''], [1, 'A fingernail marks it', ''], [2, 'A knife marks it', ''], [3, 'Hardly anything does', '']] },
@@ -85,13 +95,13 @@ export const questions = [
     [25e-6, 'Like flour', 'some hundredths of a millimetre'], [150e-6, 'Like salt', 'a third of a millimetre'],
     [0.75e-3, 'Like coarse sand', 'a millimetre or two'], [4e-3, 'Like peas', 'some millimetres']] },
 ];
-const strengths = { vmdc: [1e6, 8e6, 40e6, 150e6], 'von-mises': [1e6, 15e6, 150e6, 1e9], elastic: [1e6, 1e9, 30e9, 200e9] };
-const densities = { vmdc: 1000, 'von-mises': 7800, elastic: 2500 };
+const strengths = { vmdc: [1e6, 8e6, 40e6, 150e6], 'von-mises': [1e6, 15e6, 150e6, 1e9], rock: [5e6, 10e6, 20e6, 40e6], elastic: [1e6, 1e9, 30e9, 200e9] };
+const densities = { vmdc: 1000, 'von-mises': 7800, rock: 2650, elastic: 2500 };
 
 /// The nearest card, its stresses brought to what was answered where the catalogue has one card alone.
 export function answered({ what, hard, fine }, cards) {
-  const wanted = strengths[what][hard], key = what === 'elastic' ? 'E_Pa' : 'sigma_y_Pa';
-  const own = cards.filter((card) => card.model === what);
+  const wanted = strengths[what][hard], key = { elastic: 'E_Pa', rock: 'sigma_c_Pa' }[what] ?? 'sigma_y_Pa';
+  const own = cards.filter((card) => card.model === what && (what !== 'rock' || card.parameters.nu <= 0.3)); // as its pool
   const far = (card) => Math.abs(Math.log(card.parameters[key] / wanted));
   const card = own.reduce((best, one) => (far(one) < far(best) ? one : best));
   const values = fromCard(card);

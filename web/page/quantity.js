@@ -5,7 +5,7 @@ const prefixes = { Pa: ['GPa', 'MPa', 'kPa', 'Pa'], m: ['m', 'mm', 'µm', 'nm'],
   'N/m': ['GN/m', 'MN/m', 'kN/m', 'N/m', 'mN/m'] };
 const factor = { G: 1e9, M: 1e6, k: 1e3, '': 1, m: 1e-3, µ: 1e-6, n: 1e-9, p: 1e-12, f: 1e-15 };
 const ofPrefix = (name, unit) => factor[name.slice(0, name.length - unit.length)];
-const others = { Pa: { psi: 6894.757293168, ksi: 6894757.293168, bar: 1e5, 'N/mm2': 1e6, 'N/mm²': 1e6 }, m: { cm: 1e-2, inch: 0.0254, in: 0.0254 },
+const others = { Pa: { psi: 6894.757293168, ksi: 6894757.293168, bar: 1e5, 'N/mm2': 1e6, 'N/mm²': 1e6 }, m: { cm: 1e-2, inch: 0.0254, in: 0.0254 }, '°': { deg: 1, degree: 1, degrees: 1 },
   'kg/m³': { 'g/cm³': 1000, 'g/cm3': 1000, 'kg/m3': 1, 'kg/m^3': 1, 'g/cc': 1000, 'kg/l': 1000 } };
 
 /// The unit in which a value is shown: [name, its size in SI].
@@ -49,5 +49,5 @@ export function typed(text, unit) {
   throw new Error(`“${shortened(name)}” is no unit of this quantity; write ${exampleOf(unit)}.`);
 }
 
-const exampleOf = (unit) => ({ Pa: '1.2 GPa', m: '0.5 mm', 'kg/m³': '1500 kg/m³' })[unit] ?? `1 ${unit}`;
+const exampleOf = (unit) => ({ Pa: '1.2 GPa', m: '0.5 mm', 'kg/m³': '1500 kg/m³', '°': '30°' })[unit] ?? `1 ${unit}`;
 export const shortened = (text) => (text.length > 24 ? text.slice(0, 23) + '…' : text);

@@ -1,4 +1,4 @@
-// Offline after the first visit: every file is kept under the version of this build.
+// Offline after the first visit: every file is kept under the version of this build; what is not among them once it was asked for.
 const version = 'VERSION';
 const files = FILES;
 
@@ -17,6 +17,10 @@ self.addEventListener('fetch', (event) => {
   if (event.request.method !== 'GET' || url.origin !== location.origin) return;
   event.respondWith((async () => {
     const cache = await caches.open(version);
-    return await cache.match(event.request, { ignoreSearch: true }) ?? fetch(event.request);
+    const kept = await cache.match(event.request, { ignoreSearch: true });
+    if (kept) return kept;
+    const fresh = await fetch(event.request);
+    if (fresh.ok && url.pathname.endsWith('/zones.gz')) await cache.put(event.request, fresh.clone());
+    return fresh;
   })());
 });

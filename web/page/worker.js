@@ -105,6 +105,7 @@ const answers = {
   update,
   step: ({ overlap }) => { module.step(overlap); return { contact: numbers() }; },
   forget: () => { module.forget(); module.step(0); return { contact: numbers() }; },
+  near: ({ runs }) => ({ near: JSON.parse(call('nearest_of', runs)) }),
   file: ({ asked }) => ({ file: call('file', asked) }),
   measured: ({ name, bytes }) => {
     const head = encoder.encode(name.replaceAll('\n', ' ') + '\n');

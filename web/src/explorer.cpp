@@ -10,6 +10,7 @@
 #include "material/card.hpp"
 #include "platen/law/edmans_sinka_appendix.hpp"
 #include "surrogate/predicted_law.hpp"
+#include "surrogate/said.hpp"
 
 #include <fmt/format.h>
 
@@ -56,8 +57,11 @@ Beside beside_of(const std::string& name, const material::Material& m) {
   return b;
 }
 
+bool is_rock(const material::Material& m) { return std::holds_alternative<material::DruckerPrager>(m.model); }
+
 std::vector<std::string> laws_beside(const material::Model& model) {
   if (std::holds_alternative<material::Elastic>(model)) return {"hertz"};
+  if (std::holds_alternative<material::DruckerPrager>(model)) return {"hertz", "wang"};
   if (std::holds_alternative<material::Vmdc>(model))
     return {"hertz", "edmans-sinka", "similarity", "jackson-green", "mdr", "agarwal"};
   if (const auto* metal = std::get_if<material::VonMises>(&model);
@@ -98,6 +102,10 @@ material::Material material_of(const law::ParameterTexts& texts) {
 }
 
 void Explorer::load(const std::string& text) {
+  if (!text.starts_with("platen-surrogate")) {
+    rock_ = surrogate::read_rock(core::parse_csv(text, "grains.csv"));
+    return;
+  }
   surrogates_.push_back(surrogate::parse_surrogate(text, "surrogate"));
   surrogates_.back().guide.reset(); // a page presses nothing
 }
@@ -110,7 +118,14 @@ int Explorer::prepare() {
         remember(process, layer.inputs);
         return 1;
       }
-  return 0;
+  if (between_grains_) return 0;
+  between_grains_.emplace(rock_);
+  return 1;
+}
+
+const surrogate::RockInterpolation& Explorer::between_grains() {
+  if (!between_grains_) between_grains_.emplace(rock_);
+  return *between_grains_;
 }
 
 surrogate::Answer Explorer::ask(const material::Material& m) const {
@@ -128,14 +143,30 @@ const fit::LawCard& Explorer::card() const {
   return *card_;
 }
 
+fit::LawCard Explorer::predicted(const material::Material& m) {
+  return is_rock(m) ? predict_rock(between_grains(), m, "material.toml").card
+                    : surrogate::pressed_card(ask(m), m);
+}
+
 std::string Explorer::predict(const law::ParameterTexts& texts) {
   card_.reset();
+  pool_.clear();
+  knots_.clear();
+  band_.clear();
   material_ = material_of(texts);
+  Json json = is_rock(*material_) ? rock() : pressed();
+  json.put("end", (*card().delta_bar)[1]).put("laws", laws_beside(material_->model));
+  json.put("version", std::string(core::version));
+  return json.text();
+}
+
+Json Explorer::pressed() {
   const auto answer = ask(*material_);
   const auto& s = answer.surrogate;
   const auto& p = answer.prediction;
   const auto& a = answer.assessment;
   card_ = surrogate::pressed_card(answer, *material_);
+  pool_ = s.pool;
   knots_.assign(s.knots.begin(), s.knots.begin() + static_cast<std::ptrdiff_t>(a.knots));
   band_.assign(p.band.begin(), p.band.begin() + static_cast<std::ptrdiff_t>(a.knots));
   std::vector<std::string> near;
@@ -144,9 +175,40 @@ std::string Explorer::predict(const law::ParameterTexts& texts) {
   Json json;
   json.put("verdict", std::string(name_of(a.verdict))).put("reasons", a.reasons).put("near", near);
   json.put("pool", s.pool).put("runs", s.runs.size()).put("engine", s.engine);
-  json.put("expected", p.expected[a.knots - 1]).put("end", knots_.back());
-  json.put("sigma_ref_Pa", reference_stress(material_->model)).put("E_Pa", initial_E(material_->model));
-  json.put("laws", laws_beside(material_->model)).put("version", std::string(core::version));
+  return std::move(json.put("expected", p.expected[a.knots - 1]));
+}
+
+/// No band: what is known of the error is how far grains are off that are left out.
+Json Explorer::rock() {
+  const auto p = predict_rock(between_grains(), *material_, "material.toml");
+  card_ = p.card;
+  Json json;
+  json.put("verdict", std::string(name_of(p.verdict))).put("reasons", p.reasons).put("near", p.near);
+  json.put("pool", rock_.pool).put("runs", rock_.grains.size()).put("engine", rock_.engine);
+  json.put("left_out_median", rock_.left_out.force.median).put("left_out_p95", rock_.left_out.force.p95);
+  return json;
+}
+
+/// Which of these runs is nearest, and how far its force lies from that of the material: root mean square of
+/// the relative difference at the knots, both as the surrogate says them.
+std::string Explorer::nearest_of(const std::vector<std::string>& runs) const {
+  if (!material_ || is_rock(*material_))
+    throw core::InvalidInput("grains of rock were pressed at their contact alone");
+  const auto s = std::ranges::find(surrogates_, pool_, &surrogate::Surrogate::pool);
+  if (s == surrogates_.end()) throw core::InvalidInput("there is no law of this material");
+  const auto description = surrogate::describe(material_->model);
+  const auto all = surrogate::nearest(*s, description, s->runs.size());
+  const auto near = std::ranges::find_if(
+      all, [&](const auto& one) { return std::ranges::find(runs, s->runs[one.index]) != runs.end(); });
+  if (near == all.end()) throw core::InvalidInput(fmt::format("there is no picture of pool {}", s->pool));
+  const auto row = s->layers.front().inputs.row(near->index);
+  const auto there = said_at(*s, {row.begin(), row.end()}).F,
+             here = said_at(*s, surrogate::input_of(*s, description.coordinates)).F;
+  double squares = 0;
+  for (std::size_t k = 0; k < here.size(); ++k) squares += std::pow(std::exp(there[k] - here[k]) - 1, 2);
+  Json json;
+  json.put("run", s->runs[near->index]).put("words", surrogate::words(*s, *near));
+  json.put("apart", std::sqrt(squares / static_cast<double>(here.size())));
   return json.text();
 }
 
@@ -160,7 +222,7 @@ std::string Explorer::curves(const Asked& asked, std::vector<double>& numbers) {
   positive("radius_m", asked.radius_m);
   positive("density", asked.density);
   law_ = law_of(asked.radius_m, asked.on_plane);
-  const double per_x = 1 / law_.scale.x_per_gamma, end = knots_.back() * per_x;
+  const double per_x = 1 / law_.scale.x_per_gamma, end = (*card().delta_bar)[1] * per_x;
   const auto overlap = [&](int i) { // closer at first, where curves bend
     const double u = static_cast<double>(i) / (points - 1);
     return end * u * (0.25 + 0.75 * u);
@@ -239,7 +301,8 @@ std::string Explorer::file(const std::string& name, double radius_m, double dens
   const auto law = law_of(radius_m, on_plane);
   for (const auto& [key, value] : place(radius_m, on_plane)) law_card.parameters[key] = value;
   std::vector<double> overlaps;
-  for (int i = 1; i <= 500; ++i) overlaps.push_back(knots_.back() / law.scale.x_per_gamma * i / 500);
+  const double end = (*card().delta_bar)[1] / law.scale.x_per_gamma;
+  for (int i = 1; i <= 500; ++i) overlaps.push_back(end * i / 500);
   return dem::law_table(law_card, law, overlaps);
 }
 

@@ -9,7 +9,6 @@
 #include "json.hpp"
 #include "material/card.hpp"
 #include "measure/stages.hpp"
-#include "surrogate/predicted_law.hpp"
 
 #include <fmt/format.h>
 
@@ -26,10 +25,12 @@ struct Strength {
 Strength strength_of(const material::Model& model) {
   if (const auto* m = std::get_if<material::Elastic>(&model)) return {"E_Pa", m->E};
   if (const auto* m = std::get_if<material::Vmdc>(&model)) return {"sigma_y_Pa", m->sigma_y};
+  if (const auto* m = std::get_if<material::DruckerPrager>(&model)) return {"sigma_c_Pa", m->sigma_c};
   return {"sigma_y_Pa", std::get<material::VonMises>(model).sigma_y};
 }
 material::Material with_strength(material::Material m, double value) {
   if (auto* elastic = std::get_if<material::Elastic>(&m.model)) elastic->E = value;
+  else if (auto* rock = std::get_if<material::DruckerPrager>(&m.model)) rock->sigma_c = value;
   else if (auto* metal = std::get_if<material::VonMises>(&m.model)) {
     if (auto* ludwik = std::get_if<material::Ludwik>(&metal->hardening)) ludwik->K *= value / metal->sigma_y;
     metal->sigma_y = value;
@@ -76,7 +77,7 @@ std::string Explorer::measured(const std::string& bytes, const std::string& name
   return json.text();
 }
 
-std::string Explorer::fit_strength(const law::ParameterTexts& texts, double radius_m) const {
+std::string Explorer::fit_strength(const law::ParameterTexts& texts, double radius_m) {
   if (delta_m_.empty()) throw core::InvalidInput("there is no measured curve to fit");
   auto own = texts;
   own.erase("radius_m");
@@ -87,10 +88,9 @@ std::string Explorer::fit_strength(const law::ParameterTexts& texts, double radi
   const auto squares = [&](double log_value) {
     try {
       const auto material = with_strength(start, std::exp(log_value));
-      const auto answer = ask(material);
-      const auto card = surrogate::pressed_card(answer, material);
+      const auto card = predicted(material);
       const auto law = fit::make_law(card, {{"radius_m", core::number_text(radius_m)}, {"against", "plane"}});
-      const double end = answer.surrogate.knots.back() * radius_m;
+      const double end = fit::overlap_limit(card, law);
       double off = 0, all = 0;
       used = 0;
       for (std::size_t i = 0; i < delta_m_.size() && delta_m_[i] <= end; ++i, ++used) {
@@ -105,8 +105,14 @@ std::string Explorer::fit_strength(const law::ParameterTexts& texts, double radi
   };
   std::vector<double> candidates;
   const double E = initial_E(start.model);
-  const bool elastic = std::holds_alternative<material::Elastic>(start.model);
-  const double low = std::log(elastic ? 1e3 : E / 1500), high = std::log(elastic ? 1e13 : E / 3.2);
+  const bool elastic = std::holds_alternative<material::Elastic>(start.model),
+             rock = std::holds_alternative<material::DruckerPrager>(start.model);
+  const double low = std::log(elastic ? 1e3
+                              : rock  ? E / 1e4
+                                      : E / 1500),
+               high = std::log(elastic ? 1e13
+                               : rock  ? E / 50
+                                       : E / 3.2);
   for (int i = 0; i <= 24; ++i) candidates.push_back(low + (high - low) * i / 24);
   const auto best = fit::scanned_minimum(squares, candidates, 22);
   if (!std::isfinite(best.value))

@@ -53,6 +53,8 @@ template <class Work> int guarded(Work work) {
 std::string numbers_of(const material::Material& m) {
   Json json;
   for (const auto& p : material::parameters(m)) json.put(p.key, p.value);
+  if (const auto* rock = std::get_if<material::DruckerPrager>(&m.model))
+    json.put("phi_deg", rock->friction_deg());
   return json.text();
 }
 
@@ -69,7 +71,7 @@ EXPORT(text_size) std::size_t text_size() { return out.size(); }
 EXPORT(values) const double* values() { return numbers.data(); }
 EXPORT(values_size) std::size_t values_size() { return numbers.size(); }
 
-/// A surrogate of the catalogue.
+/// A surrogate of the catalogue, or its grains of rock.
 EXPORT(load) int load() {
   return guarded([] { explorer.load(in); });
 }
@@ -84,6 +86,11 @@ EXPORT(card) int card() {
 /// name, model, parameters: the law of the material.
 EXPORT(predict) int predict() {
   return guarded([] { out = explorer.predict(request()); });
+}
+
+/// Names of runs, one a line: the nearest of them to the material.
+EXPORT(nearest_of) int nearest_of() {
+  return guarded([] { out = explorer.nearest_of(law::detail::split(in, '\n')); });
 }
 
 /// radius_m, density, against, beside: all curves of the page.

@@ -9,6 +9,7 @@ import { chromium } from 'playwright-core';
 import { fromLink, initial, toLink } from '../page/link.js';
 import { allOf, cardOf, lines, models, particle, valueAt } from '../page/materials.js';
 import { typed, words } from '../page/quantity.js';
+import { pressed, spread, zones } from '../zones.mjs';
 import { serve } from './server.mjs';
 
 const folder = process.env.PLATEN_PAGE, platen = process.env.PLATEN;
@@ -48,7 +49,7 @@ function si(text) {
 
 function randomState() {
   const s = initial();
-  s.model = ['von-mises', 'ludwik', 'vmdc', 'vmdc', 'elastic'][Math.floor(5 * random())];
+  s.model = ['von-mises', 'ludwik', 'vmdc', 'vmdc', 'elastic', 'rock'][Math.floor(6 * random())];
   s.name = 'random';
   s.values = {};
   for (const p of allOf(s.model)) s.values[p.key] = valueAt(p, 300 + Math.round(400 * random()));
@@ -64,6 +65,10 @@ function randomState() {
     const fixed = near.rho_r0 === 0.7 ? ['E_bar', 'Gamma_bar', 'Lambda_bar'] : Object.keys(near);
     for (const key of Object.keys(near)) s.values[key] = fixed.includes(key) ? Number((near[key] * (0.9 + 0.2 * random())).toPrecision(3)) : near[key];
   }
+  if (s.model === 'rock') { // about the grains of its pool, some beyond
+    const round = (x) => Number(x.toPrecision(3));
+    s.values = { E_Pa: round(8e9 * 4 ** random()), nu: round(0.09 + 0.22 * random()), phi_deg: round(19 + 22 * random()), sigma_c_Pa: round(4e6 * 15 ** random()) };
+  }
   s.radius_m = valueAt(particle[0], Math.round(1000 * random()));
   s.against = random() < 0.3 ? 'plane' : 'sphere';
   s.top = Number((0.05 + 0.95 * random()).toFixed(3));
@@ -75,6 +80,7 @@ test('values on screen are those of the program, 50 random materials', { timeout
   const page = await opened();
   await drawn(page);
   let compared = 0, refused = 0;
+  const kinds = {};
   for (let tries = 0; compared < 50; ++tries) {
     assert.ok(tries < 300, `only ${compared} of ${tries} random materials have a law`);
     const s = randomState();
@@ -106,7 +112,9 @@ test('values on screen are those of the program, 50 random materials', { timeout
         (row.branch === 'separated' && si(shown[name]) === 0 && Math.abs(value) < 1e-9 * Number(rows[1][rows[0].indexOf(key)])), `${name}: ${shown[name]} for ${value}, ${toLink(s)}`);
     }
     ++compared;
+    kinds[s.model] = 1 + (kinds[s.model] ?? 0);
   }
+  assert.ok(Object.keys(models).every((model) => kinds[model] > 0), JSON.stringify(kinds));
   console.log(`    50 compared; of ${refused} more, program and page both said that there is no law`);
   await closed(page);
 });
@@ -120,7 +128,7 @@ test('what is downloaded is what the program writes', async () => {
   const page = await opened();
   await drawn(page);
   await page.click('#skip');
-  for (const card of ['mcc-ph-200', 'base-case', 'von-mises-100', 'elastic']) {
+  for (const card of ['mcc-ph-200', 'base-case', 'von-mises-100', 'wang-type-1', 'elastic']) {
     const before = await page.evaluate(() => document.documentElement.dataset.revision);
     await page.selectOption('#card', card === 'mcc-ph-200' ? 'base-case' : 'mcc-ph-200');
     await page.waitForFunction((r) => document.documentElement.dataset.revision !== r, before);
@@ -144,7 +152,7 @@ test('what is downloaded is what the program writes', async () => {
   await closed(page);
 });
 
-test('axe finds nothing serious, in light and dark, at three widths, nothing scrolls sideways', { timeout: 120000 }, async () => {
+test('axe finds nothing serious, in light and dark, at three widths, nothing scrolls sideways', { timeout: 300000 }, async () => {
   const axe = readFileSync(new URL('node_modules/axe-core/axe.min.js', import.meta.url), 'utf8');
   for (const width of [390, 1024, 1920])
     for (const colorScheme of ['light', 'dark']) {
@@ -152,7 +160,11 @@ test('axe finds nothing serious, in light and dark, at three widths, nothing scr
       await drawn(page);
       await page.waitForTimeout(500);
       for (const questions of [true, false]) {
-        if (!questions) await page.click('#skip');
+        if (!questions) {
+          await page.click('#skip');
+          await page.click('#inside summary');
+          await page.waitForSelector('#section rect', { state: 'attached' });
+        }
         await page.evaluate(axe);
         const found = await page.evaluate(() => axe.run(document, { runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice'] }));
         const serious = found.violations.filter((v) => ['serious', 'critical'].includes(v.impact)).map((v) => `${v.id}: ${v.nodes.map((n) => n.target).join(' ')}`);
@@ -197,6 +209,132 @@ test('dragging loads and unloads', async () => {
   await page.mouse.move(x + 58, y, { steps: 2 });
   await page.waitForFunction(() => [...document.querySelectorAll('#readout dd')].at(-1).textContent === 'unloading');
   await page.mouse.up();
+  await closed(page);
+});
+
+// --- inside -------------------------------------------------------------------------------------------------------------
+
+const pictures = JSON.parse(readFileSync(new URL('../zones.json', import.meta.url)));
+const runOf = (pool, name) => spread(pool, 1000).find((run) => run.name === name);
+const insideOf = async (page) => {
+  if (!await page.evaluate(() => document.getElementById('inside').open)) await page.click('#inside summary');
+  await page.waitForSelector('#section rect', { state: 'attached' });
+  return page.evaluate(() => ({ words: document.getElementById('inside-words').textContent, label: document.querySelector('#section svg').getAttribute('aria-label'),
+    shares: Object.fromEntries([...document.querySelectorAll('#zones li')].map((li) => [li.childNodes[1].textContent.trim(), li.lastChild.textContent])),
+    fills: [...new Set([...document.querySelectorAll('#section path')].map((path) => path.getAttribute('fill')))] }));
+};
+
+test('pictures of the inside are what the program presses', { timeout: 300000 }, async () => {
+  assert.ok(statSync(join(folder, 'zones.gz')).size < 0.7e6);
+  for (const [pool, name] of [['edmans-sinka', 'edmans-sinka-100'], ['metals', Object.keys(pictures.pressed).find((name) => name.startsWith('metals'))]]) {
+    const { moments } = await pressed(platen, runOf(pool, name)), kept = pictures.pressed[name];
+    assert.deepEqual(moments.map(([at]) => at), kept.map(([at]) => at));
+    moments.forEach(([at, shares, paths], i) => { // processors round differently: a point at an edge may flow or not
+      shares.forEach((share, k) => assert.ok(Math.abs(share - kept[i][1][k]) <= 1, `${name} at ${at}: ${zones[k]} ${share} %, kept ${kept[i][1][k]} %`));
+      const wide = (list) => Math.max(...list[0].slice(2).split('l')[1].match(/-?\d+/g).reduce(([x, widest], step, j) => (j % 2 ? [x, widest] : [x + Number(step), [...widest, x + Number(step)]]), [Number(list[0].slice(2).split(' ')[0]), []])[1]);
+      assert.ok(Math.abs(wide(paths) - wide(kept[i][2])) <= 3, `${name} at ${at}: another outline`);
+    });
+  }
+});
+
+// As those see them who lack one kind of cone (Machado et al. 2009, complete), in CIE L*a*b*: a difference of 2 can just be seen.
+test('zones keep apart for the colour-blind', async () => {
+  const colours = Object.values(await import('../page/inside.js').then((m) => m.zones)).map(([, hex]) => hex);
+  const times = (m, v) => [0, 1, 2].map((r) => m[3 * r] * v[0] + m[3 * r + 1] * v[1] + m[3 * r + 2] * v[2]);
+  const linear = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255).map((c) => (c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4));
+  const lab = (rgb) => {
+    const [x, y, z] = times([0.4124, 0.3576, 0.1805, 0.2126, 0.7152, 0.0722, 0.0193, 0.1192, 0.9505], rgb.map((c) => Math.min(1, Math.max(0, c))))
+      .map((c, i) => c / [0.9505, 1, 1.089][i]).map((t) => (t > 0.008856 ? Math.cbrt(t) : 7.787 * t + 16 / 116));
+    return [116 * y - 16, 500 * (x - y), 200 * (y - z)];
+  };
+  for (const eye of [[1, 0, 0, 0, 1, 0, 0, 0, 1], [0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998],
+    [0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.01182, 0.04294, 0.968881], [1.255528, -0.076749, -0.178779, -0.078411, 0.930809, 0.147602, 0.004733, 0.691367, 0.3039]])
+    colours.forEach((a, i) => colours.slice(i + 1).forEach((b) => {
+      const [one, other] = [a, b].map((hex) => lab(times(eye, linear(hex))));
+      assert.ok(Math.hypot(...one.map((x, k) => x - other[k])) > 20, `${a} and ${b}`);
+    }));
+});
+
+test('inside: the nearest pressed material at the overlap of the dot, asked for when it is opened', { timeout: 60000 }, async () => {
+  const page = await opened();
+  const asked = [];
+  page.on('request', (request) => { if (request.url().endsWith('zones.gz')) asked.push(request.url()); });
+  await drawn(page);
+  await page.click('#skip');
+  await page.waitForTimeout(300);
+  assert.deepEqual(asked, []);
+  const first = await insideOf(page);
+  assert.equal(asked.length, 1);
+  // the page opens with the base case at 0.7 of 0.5; it is among those that have a picture
+  assert.match(first.words, /^edmans-sinka-100, whose force is that of yours, pressed to δ\/R = 0\.[34]: the nearest of \d+ pressed materials/);
+  const [at, shares] = pictures.pressed['edmans-sinka-100'].find(([one]) => first.words.includes(`= ${one}:`));
+  for (const [k, zone] of zones.entries()) {
+    assert.equal(first.shares[zone], shares[k] > 0 && shares[k] < 1 ? 'less than 1 %' : `${Math.round(shares[k])} %`);
+    assert.ok(first.label.includes(`${zone} ${first.shares[zone]}`));
+  }
+  assert.ok(first.label.includes(`δ/R = ${at}`));
+  execFileSync(platen, ['press', 'case.toml', '-o', 'inside'], { cwd: (writeFileSync(join(work, 'case.toml'), 'platen = 1\nexperiment = "simple"\nmaterial = "base-case"\nradius_m = 1e-3\n[mesh]\nelements = 100\n[path]\ndelta_bar_max = 0.1\n[output]\nfields_at = [0.1]\n'), work), stdio: 'ignore' });
+  const picture = readFileSync(join(work, 'inside/zones.svg'), 'utf8');
+  for (const fill of first.fills) assert.ok(picture.includes(`fill="${fill}"`), `${fill} is no colour of the program's pictures`);
+  await page.focus('.dot');
+  await page.keyboard.press('End');
+  await page.waitForFunction(() => /δ\/R = 0\.5:/.test(document.getElementById('inside-words').textContent));
+  await page.keyboard.press('ArrowLeft');
+  await page.waitForFunction(() => /The contact unloads/.test(document.getElementById('inside-words').textContent));
+  await page.click('#again');
+  await page.waitForFunction(() => /δ\/R = 0\.01:/.test(document.getElementById('inside-words').textContent));
+  await closed(page);
+});
+
+test('inside: nearest as the program says it; none of rock; a sentence where pictures are missing', { timeout: 60000 }, async () => {
+  let compared = 0;
+  for (const name of Object.keys(pictures.pressed).filter((run, i) => /^powders|^edmans/.test(run) && i % 9 === 0)) {
+    const run = runOf(name.startsWith('edmans') ? 'edmans-sinka' : 'powders', name);
+    if (!run) continue; // of a surrogate no more
+    const values = Object.fromEntries(run.keys.map((key, k) => [key, run.numbers[k] * (key !== 'E_bar' ? 1 : run.numbers[k] > 100 ? 0.99 : 1.01)]));
+    if (allOf('vmdc').some((p) => values[p.key] < p.low || values[p.key] > p.high)) continue; // beyond a slider
+    ++compared;
+    writeFileSync(join(work, 'near.toml'), 'platen = 1\nname = "near"\nmodel = "vmdc"\n[parameters]\nsigma_y_Pa = 1e8\n' + Object.entries(values).map((line) => line.join(' = ')).join('\n'));
+    const near = JSON.parse(execFileSync(platen, ['predict', 'near.toml', '--quick', '--extrapolate', '--json', '-o', 'near-law.toml'], { cwd: work, stdio: ['ignore', 'pipe', 'ignore'] })).nearest_runs[0];
+    const page = await opened({ hash: toLink({ ...initial(), name: 'near', values: { sigma_y_Pa: 1e8, ...values } }) });
+    await drawn(page);
+    const { words } = await insideOf(page);
+    assert.ok(words.startsWith(near + ','), `${words} for ${near}`);
+    const off = Number(/differs from that of yours by ([\d.]+) %/.exec(words)?.[1] ?? 0); // a hundredth of E
+    assert.ok(off < 2, words);
+    await closed(page);
+  }
+  assert.ok(compared >= 8, `${compared} compared`);
+  const page = await opened({ hash: toLink({ ...initial(), model: 'rock', values: Object.fromEntries(allOf('rock').map((p) => [p.key, p.start])) }) });
+  await drawn(page);
+  await page.click('#inside summary');
+  await page.waitForFunction(() => /pressed at their contact alone/.test(document.getElementById('inside-words').textContent));
+  assert.equal(await page.isVisible('#section'), false);
+  await closed(page);
+  const without = await opened({ serviceWorkers: 'block' });
+  await without.route('**/zones.gz', (route) => route.abort());
+  await drawn(without);
+  await without.click('#skip');
+  await without.click('#inside summary');
+  await without.waitForFunction(() => /could not be loaded/.test(document.getElementById('inside-words').textContent));
+  await without.context().close();
+});
+
+test('rock: verdict, grains that are near, and what a left-out grain says of the error', async () => {
+  const values = { E_Pa: 15e9, sigma_c_Pa: 20e6, phi_deg: 30, nu: 0.2 };
+  const page = await opened({ hash: toLink({ ...initial(), model: 'rock', values }) });
+  await drawn(page);
+  writeFileSync(join(work, 'rock.toml'), 'platen = 1\nname = "rock"\nmodel = "drucker-prager"\n[parameters]\n' + Object.entries(values).map((line) => line.join(' = ')).join('\n'));
+  const said = JSON.parse(execFileSync(platen, ['predict', 'rock.toml', '--json', '-o', 'rock-law.toml'], { cwd: work, stdio: ['ignore', 'pipe', 'ignore'] }));
+  await page.waitForFunction(() => document.querySelectorAll('#near li').length === 3);
+  assert.equal(await page.getAttribute('#verdict', 'data-verdict'), said.verdict);
+  assert.deepEqual((await page.locator('#near li').allTextContents()).map((text) => text.split(' ')[0]), said.nearest_runs.map((text) => text.split(':')[0]));
+  const grains = readFileSync(new URL('../../catalogue/pools/wang/grains.csv', import.meta.url), 'utf8');
+  const percent = (key) => `${Number((100 * Number(new RegExp(`left_out.force.${key} = (\\S+)`).exec(grains)[1])).toPrecision(2))} %`;
+  assert.match(await page.textContent('#why'), new RegExp(`came out ${percent('median')} off in force, one in twenty more than ${percent('p95')}`));
+  await page.fill('#f-phi_deg', '45 degrees');
+  await page.press('#f-phi_deg', 'Enter');
+  await page.waitForFunction(() => /phi = 45 degrees is not in 20 to 40/.test(document.getElementById('why').textContent));
   await closed(page);
 });
 
@@ -312,10 +450,14 @@ test('offline after the first visit', async () => {
   await drawn(page);
   await page.evaluate(() => navigator.serviceWorker.ready);
   await page.waitForFunction(async () => { for (const name of await caches.keys()) if ((await (await caches.open(name)).keys()).length > 8) return true; return false; });
+  await page.click('#skip');
+  await insideOf(page);
+  await page.waitForFunction(async () => { for (const name of await caches.keys()) for (const { url } of await (await caches.open(name)).keys()) if (url.endsWith('zones.gz')) return true; return false; });
   own.close();
   await context.setOffline(true);
   await page.reload();
   await drawn(page);
+  await insideOf(page);
   await context.close();
 });
 
@@ -332,12 +474,13 @@ test('speed (printed)', { timeout: 120000 }, async () => {
   const start = await first.evaluate(() => performance.getEntriesByName('first curve')[0].startTime);
   console.log(`    first curve ${start.toFixed(0)} ms after opening`);
   await closed(first);
-  for (const [what, model] of Object.entries({ metal: 'von-mises', 'metal that hardens': 'ludwik', granule: 'vmdc' })) {
+  for (const [what, model, key] of [['metal', 'von-mises', 'sigma_y_Pa'], ['metal that hardens', 'ludwik', 'sigma_y_Pa'], ['granule', 'vmdc', 'sigma_y_Pa'],
+    ['granule, another material each time', 'vmdc', 'E_bar'], ['rock', 'rock', 'sigma_c_Pa']]) {
     const card = { ...initial(), model, name: 'x', values: Object.fromEntries(allOf(model).map((p) => [p.key, p.start])), beside: models[model].beside };
     const page = await opened({ hash: toLink(card) });
     await page.waitForSelector('[data-ready]', { state: 'attached', timeout: 60000 });
-    const times = await page.evaluate(async () => {
-      const slider = document.getElementById('f-sigma_y_Pa-slider'), root = document.documentElement, times = [];
+    const times = await page.evaluate(async (key) => {
+      const slider = document.getElementById(`f-${key}-slider`), root = document.documentElement, times = [];
       const from = Number(slider.value);
       for (let i = 0; i < 150; ++i) {
         const seen = root.dataset.revision;
@@ -349,7 +492,7 @@ test('speed (printed)', { timeout: 120000 }, async () => {
         await new Promise((resolve) => setTimeout(resolve, 17));
       }
       return times.sort((a, b) => a - b);
-    });
+    }, key);
     console.log(`    ${what}: slider to curve ${times[75].toFixed(1)} ms median, ${times[142].toFixed(1)} ms at 95 %`);
     await closed(page);
   }

@@ -13,6 +13,8 @@ for (const [width, height] of [[1440, 900], [1024, 900], [390, 844]])
     await page.waitForSelector('[data-revision]');
     if (width === 1440 && scheme === 'light') await page.screenshot({ path: `${out}/questions.png` });
     await page.click('#skip');
+    await page.click('#inside summary');
+    await page.waitForSelector('#section rect', { state: 'attached' });
     await page.waitForTimeout(700);
     await page.screenshot({ path: `${out}/${width}-${scheme}.png`, fullPage: true });
     if (width === 1440) {
@@ -23,6 +25,9 @@ for (const [width, height] of [[1440, 900], [1024, 900], [390, 844]])
       for (let i = 0; i < 12; ++i) await page.mouse.move(dot.x + dot.width / 2 + 150 - 2 * i, dot.y), await page.waitForTimeout(20);
       await page.screenshot({ path: `${out}/drag-${scheme}.png` });
       await page.mouse.up();
+      await page.click('[name=model][value=rock]');
+      await page.waitForTimeout(700);
+      await page.screenshot({ path: `${out}/rock-${scheme}.png`, fullPage: true });
     }
     await page.close();
   }
