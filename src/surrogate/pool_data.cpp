@@ -44,7 +44,9 @@ Pressed pressed(const std::vector<std::vector<double>>& rows, std::vector<double
   return run;
 }
 
-bool ends_early(const PressedBranch& branch) { return branch.F_bar.front() > 0.1 * branch.F_bar.back(); }
+bool ends_early(const PressedBranch& branch) {
+  return branch.F_bar.front() > early_end * branch.F_bar.back();
+}
 
 } // namespace
 

@@ -32,7 +32,7 @@ struct PoolData {
   double step_max = 0;   ///< of delta/R0
   std::size_t asked = 0; ///< runs of its study
   /// Done, with a branch that is too steep for alpha and beta to be fitted, or that the press could not
-  /// follow to a tenth of its force.
+  /// follow (early_end).
   std::size_t not_unloaded = 0;
   std::size_t locked = 0;                      ///< done, and left aside because they lock
   std::vector<double> knots, unload_delta_bar; ///< delta/R0
@@ -44,6 +44,9 @@ struct PoolData {
 bool grows(double times, const std::vector<double>& knots, const std::vector<double>& F_bar);
 /// A material of which that is said is outside of any pool.
 constexpr double locked_growth = 5;
+
+/// An unloading that ends above this share of its force is not one to be fitted.
+constexpr double early_end = 0.1;
 
 /// usable: without those that lock by far (eightfold), which would spoil the others; what is between tells
 /// which lock. And without those of which a branch ends early.

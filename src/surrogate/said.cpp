@@ -96,13 +96,13 @@ Said said_at(const Surrogate& s, const std::vector<double>& at, const CoarsePres
     if (l > 0) said.spread = spread_of(s.knots, said.F);
     if (l > 0 || !loaded) {
       add(said.F, values_at(layer.force, layer.inputs, at), said.spread);
-      add(said.a, values_at(layer.radius, layer.inputs, at));
+      if (want != Want::force_and_work) add(said.a, values_at(layer.radius, layer.inputs, at));
       if (want == Want::variances)
         add(said.F_variance, variances_at(layer.force, layer.inputs, at), said.spread * said.spread);
     }
     if (l > 0 || !unloaded) {
       add(said.work, values_at(layer.work, layer.inputs, at), said.spread);
-      add(said.exponent, values_at(layer.exponent, layer.inputs, at));
+      if (want != Want::force_and_work) add(said.exponent, values_at(layer.exponent, layer.inputs, at));
     }
   }
   return said;

@@ -37,8 +37,8 @@ AlphaBeta alpha_beta(const std::vector<double>& work, const std::vector<double>&
 std::vector<double> logarithms(std::vector<double> values);
 std::vector<double> exponentials(const std::vector<double>& values, std::size_t from, std::size_t count);
 
-/// variances: of the force too, which takes a hundred times as long.
-enum class Want { means, variances };
+/// variances: of the force too, which takes a hundred times as long; force_and_work: of force and work alone.
+enum class Want { force_and_work, means, variances };
 /// At an input (input_of()).
 Said said_at(const Surrogate& s, const std::vector<double>& at, const CoarsePress* guide = nullptr,
              Want want = Want::means);

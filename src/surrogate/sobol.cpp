@@ -57,7 +57,7 @@ std::vector<std::string> output_names() {
 std::vector<double> outputs_of(const Surrogate& s, const material::Model& model) {
   const auto d = describe(model);
   const auto at = input_of(s, d.coordinates);
-  const Said said = said_at(s, at);
+  const Said said = said_at(s, at, nullptr, Want::force_and_work);
   const auto F = exponentials(said.F, 0, said.F.size());
   std::vector<double> outputs;
   const auto knot = [&](double x) {
@@ -106,7 +106,7 @@ Sensitivity sobol(const Surrogate& s, const material::Model& model, double withi
   const auto d = describe(model);
   if (const auto why = refusal(s, d); !why.empty())
     throw core::InvalidInput(fmt::format("pool {}: {}", s.pool, why));
-  const auto ln_F = said_at(s, input_of(s, d.coordinates)).F;
+  const auto ln_F = said_at(s, input_of(s, d.coordinates), nullptr, Want::force_and_work).F;
   if (grows(locked_growth, s.knots, exponentials(ln_F, 0, ln_F.size())))
     throw core::InvalidInput(
         fmt::format("pool {}: it locks, and pools know nothing of such materials", s.pool));

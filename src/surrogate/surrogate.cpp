@@ -68,6 +68,14 @@ Layer fit_change(const Surrogate& s, const PoolData& fine, const PoolData& coars
   return fit_layer(s, change(tables_of(fine), tables_of(coarse), both, s.knots), runs);
 }
 
+/// As a pool's (pool_data.hpp).
+bool ends_early(const press::Curve& curve, const fit::UnloadingFit& fit) {
+  double last = 0;
+  for (const auto& point : curve.points)
+    if (point.branch_id == fit.branch_id) last = point.F_bar;
+  return last > early_end * fit.F_bar_max;
+}
+
 } // namespace
 
 ReadPools read_pools(const std::filesystem::path& fine, const std::vector<std::string>& with,
@@ -128,9 +136,10 @@ CoarsePress press_guide(const Surrogate& s, const material::Material& material) 
                     material.name, s.knots.back()),
         0, 0, 0);
   const auto fits = fit::fit_unloading(result.curve).fits;
+  const bool all = fits.size() == s.unload_delta_bar.size() &&
+                   std::ranges::none_of(fits, [&](const auto& one) { return ends_early(result.curve, one); });
   for (const auto& one : fits)
-    if (fits.size() == s.unload_delta_bar.size())
-      said.alpha.push_back(one.alpha), said.beta.push_back(one.beta);
+    if (all) said.alpha.push_back(one.alpha), said.beta.push_back(one.beta);
   return said;
 }
 
