@@ -58,11 +58,11 @@ void add_left_out(std::vector<Said>& said, const std::vector<Term>& terms, const
                   exponent = cross(layer.exponent, tables.exponent, layer.inputs);
     for (std::size_t i = 0; i < said.size(); ++i) {
       Said& one = said[i];
-      if (of_change) one.spread = spread_of(knots, one.F);
-      add(one.F, F.mean[rows[i]], one.spread);
-      add(one.F_variance, F.variance[rows[i]], one.spread * one.spread);
+      if (of_change) one.scatter = scatter_of(knots, one.F);
+      add(one.F, F.mean[rows[i]], one.scatter);
+      add(one.F_variance, F.variance[rows[i]], one.scatter * one.scatter);
       add(one.a, a.mean[rows[i]]);
-      add(one.work, work.mean[rows[i]], one.spread);
+      add(one.work, work.mean[rows[i]], one.scatter);
       add(one.exponent, exponent.mean[rows[i]]);
     }
   }

@@ -27,14 +27,14 @@ Refined refine(const Surrogate& s, const std::vector<Description>& candidates, d
                std::size_t most) {
   const auto count = static_cast<Eigen::Index>(candidates.size());
   std::vector<std::vector<double>> at, F, others; // others: variances that presses of the finest mesh leave
-  std::vector<double> spread2;                    // what stands before those of the finest layer
+  std::vector<double> scatter2;                   // what stands before those of the finest layer
   const Layer& finest = s.layers.back();
   for (const auto& d : candidates) {
     const auto said = said_of(s, d, nullptr);
     at.push_back(input_of(s, d.coordinates));
     F.push_back(exponentials(said.F, 0, said.F.size()));
     others.push_back(said.F_variance);
-    spread2.push_back(said.spread * said.spread);
+    scatter2.push_back(said.scatter * said.scatter);
   }
   std::vector<OfCandidates> processes;
   for (std::size_t c = 0; c < finest.force.basis.size(); ++c) {
@@ -55,7 +55,7 @@ Refined refine(const Surrogate& s, const std::vector<Description>& candidates, d
       for (std::size_t k = 0; k < one.basis.size(); ++k) // variances_at() has it as well, or a little more
         others[static_cast<std::size_t>(j)][k] = std::max(
             0.0, others[static_cast<std::size_t>(j)][k] -
-                     spread2[static_cast<std::size_t>(j)] * one.variance(j) * one.basis[k] * one.basis[k]);
+                     scatter2[static_cast<std::size_t>(j)] * one.variance(j) * one.basis[k] * one.basis[k]);
     }
     processes.push_back(std::move(one));
   }
@@ -63,7 +63,7 @@ Refined refine(const Surrogate& s, const std::vector<Description>& candidates, d
     auto variance = others[j];
     for (const auto& p : processes)
       for (std::size_t k = 0; k < variance.size(); ++k)
-        variance[k] += spread2[j] * p.variance(static_cast<Eigen::Index>(j)) * p.basis[k] * p.basis[k];
+        variance[k] += scatter2[j] * p.variance(static_cast<Eigen::Index>(j)) * p.basis[k] * p.basis[k];
     return expected_errors(s.knots, F[j], variance).back();
   };
   Refined refined;

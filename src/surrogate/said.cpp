@@ -47,7 +47,7 @@ void add(std::vector<double>& sum, const std::vector<double>& more, double facto
   for (std::size_t j = 0; j < more.size(); ++j) sum[j] += factor * more[j];
 }
 
-double spread_of(const std::vector<double>& knots, const std::vector<double>& ln_F) {
+double scatter_of(const std::vector<double>& knots, const std::vector<double>& ln_F) {
   const auto from = std::lower_bound(knots.begin(), knots.end(), 0.3 - 1e-9) - knots.begin();
   if (from == std::ssize(knots)) return 1;
   const double growth = std::exp(ln_F.back() - ln_F[static_cast<std::size_t>(from)]);
@@ -93,15 +93,15 @@ Said said_at(const Surrogate& s, const std::vector<double>& at, const CoarsePres
   const bool loaded = guide, unloaded = !said.work.empty();
   for (std::size_t l = 0; l < s.layers.size(); ++l) {
     const Layer& layer = s.layers[l];
-    if (l > 0) said.spread = spread_of(s.knots, said.F);
+    if (l > 0) said.scatter = scatter_of(s.knots, said.F);
     if (l > 0 || !loaded) {
-      add(said.F, values_at(layer.force, layer.inputs, at), said.spread);
+      add(said.F, values_at(layer.force, layer.inputs, at), said.scatter);
       if (want != Want::force_and_work) add(said.a, values_at(layer.radius, layer.inputs, at));
       if (want == Want::variances)
-        add(said.F_variance, variances_at(layer.force, layer.inputs, at), said.spread * said.spread);
+        add(said.F_variance, variances_at(layer.force, layer.inputs, at), said.scatter * said.scatter);
     }
     if (l > 0 || !unloaded) {
-      add(said.work, values_at(layer.work, layer.inputs, at), said.spread);
+      add(said.work, values_at(layer.work, layer.inputs, at), said.scatter);
       if (want != Want::force_and_work) add(said.exponent, values_at(layer.exponent, layer.inputs, at));
     }
   }

@@ -11,14 +11,14 @@ namespace platen::surrogate {
 struct Said {
   std::vector<double> F, F_variance, a;
   std::vector<double> work, exponent; ///< of each unloading: works_of(), ln alpha
-  double spread = 1;                  ///< of what changes from coarse to fine: spread_of()
+  double scatter = 1;                 ///< of what changes from coarse to fine: scatter_of()
 };
 
 /// How much more than a soft granule's the change from coarse to fine scatters: (g/1.6)^1.5 and between 1 and
 /// 8, where ln F grows by ln g from delta/R0 = 0.3 to the end. Of powders ln F_fine/F_coarse at 0.5 has a
 /// standard deviation of 1.3, 2.6, 5.6 and 9.5 % for g from 1, 2, 3 and 4 on. Changes of force and of work
 /// given back are interpolated over it, so that a material near the lock does not disturb those far from it.
-double spread_of(const std::vector<double>& knots, const std::vector<double>& ln_F);
+double scatter_of(const std::vector<double>& knots, const std::vector<double>& ln_F);
 
 /// Adds to a sum, which may be empty still.
 void add(std::vector<double>& sum, const std::vector<double>& more, double factor = 1);

@@ -63,10 +63,10 @@ Tables change(const Tables& fine, const Tables& coarse, const std::vector<Both>&
               const std::vector<double>& knots) {
   Tables changes;
   for (const auto [i, j] : both) {
-    const double spread = spread_of(knots, coarse.force[j]);
-    for (const auto& [table, over] : {std::pair{&Tables::force, spread},
+    const double scatter = scatter_of(knots, coarse.force[j]);
+    for (const auto& [table, over] : {std::pair{&Tables::force, scatter},
                                       {&Tables::radius, 1.0},
-                                      {&Tables::work, spread},
+                                      {&Tables::work, scatter},
                                       {&Tables::exponent, 1.0}}) {
       auto& row = (changes.*table).emplace_back((fine.*table)[i]);
       for (std::size_t k = 0; k < row.size(); ++k) row[k] = (row[k] - (coarse.*table)[j][k]) / over;

@@ -22,7 +22,7 @@ struct Both {
 /// InvalidInput where the pools do not belong together, or have too few in common.
 std::vector<Both> in_both(const PoolData& fine, const PoolData& coarse);
 
-/// What the logarithms change from coarse to fine; of force and work over spread_of() of the coarse curve.
+/// What the logarithms change from coarse to fine; of force and work over scatter_of() of the coarse curve.
 Tables change(const Tables& fine, const Tables& coarse, const std::vector<Both>& both,
               const std::vector<double>& knots);
 
