@@ -60,7 +60,7 @@ Curves surrogate_curves(const material::Material& typical) {
     auto rest = said_of(*s, d, nullptr).F_variance; // what no component holds: another Poisson's ratio
     for (double& variance : rest) variance *= wider * wider;
     for (const auto& layer : s->layers) {
-      const double spread = &layer == &s->layers.front() ? 1 : best.spread;
+      const double scatter = &layer == &s->layers.front() ? 1 : best.spread;
       for (std::size_t c = 0; c < layer.force.basis.size(); ++c) {
         const double by = spread * deviation(layer.force.processes[c], layer.inputs, at, wider);
         auto other = best;
