@@ -465,7 +465,7 @@ answers 2 "did you mean 'ludwik'?" "$platen" convert lead-hollomon --hardening l
 answers 2 'no hollomon law follows this stress' "$platen" convert von-mises-100 --hardening hollomon
 answers 2 '--strain 0.5 is not of the form FROM:TO' "$platen" convert lead-hollomon --hardening ludwik --strain 0.5
 answers 2 'they must ascend' "$platen" convert lead-hollomon --hardening ludwik --strain 1:0.5
-answers 2 'there is no material' "$platen" convert led-hollomon --hardening ludwik
+answers 2 "did you mean 'lead-hollomon'?" "$platen" convert led-hollomon --hardening ludwik
 
 # misspelt commands and options, streams, quiet, what shells and man read
 answers 2 "there is no command 'platen pres'; did you mean 'press'?" "$platen" pres
