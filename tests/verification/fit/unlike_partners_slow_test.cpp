@@ -31,8 +31,10 @@ const press::Curve& pressed(const Metal& m) {
   return known[m] = result.curve;
 }
 
-law::PressedMaterial law_of(const Metal& m) {
-  return fit::fit_pressed(pressed(m), fit::fit_unloading(pressed(m))).material;
+const law::PressedMaterial& law_of(const Metal& m) {
+  static std::map<Metal, law::PressedMaterial> known;
+  if (!known.contains(m)) known[m] = fit::fit_pressed(pressed(m), fit::fit_unloading(pressed(m))).material;
+  return known[m];
 }
 
 struct Unlike {
@@ -87,27 +89,77 @@ double by_hand(const Unlike& u, double gamma) {
   return low * R_e * R_e;
 }
 
+const Metal soft{100, 1}, bit_harder{100, 1.3}, twice{100, 2}, five{100, 5}, stiff{500, 1};
+
+/// Both spheres in CalculiX 2.20: 1,440 CAX4, --columns 24 --step 0.002. Half the step on 2,176 elements
+/// changes the forces by 3 % at most up to gamma = 0.1, by 0.5 % from 0.15 on; the other slave surface by 0.5
+/// %.
+const std::vector<double> gammas = {0.04, 0.06, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6};
+const struct {
+  Unlike pair;
+  double near, far;      ///< bounds of docs/explanation/joined.md: below gamma = 0.2, and from there on
+  std::vector<double> F; ///< over pi R1^2 sigma_y, at as many gammas as were computed
+} calculix[] = {
+    {{"alike", soft, soft, 1},
+     0.05,
+     0.015,
+     {0.0767, 0.1273, 0.2249, 0.3275, 0.4266, 0.5387, 0.6143, 0.6893, 0.7626}},
+    {{"1.3 times the strength", soft, bit_harder, 1},
+     0.08,
+     0.051,
+     {0.0813, 0.1317, 0.2257, 0.3365, 0.4264, 0.5442, 0.6160, 0.6722, 0.7232}},
+    {{"twice the strength", soft, twice, 1},
+     0.14,
+     0.051,
+     {0.0826, 0.1320, 0.2262, 0.3368, 0.4256, 0.5433, 0.6153, 0.6713, 0.7227}},
+    {{"five times the strength", soft, five, 1},
+     0.18,
+     0.051,
+     {0.0826, 0.1320, 0.2262, 0.3368, 0.4256, 0.5433, 0.6153, 0.6713, 0.7227}},
+    {{"five times the modulus", soft, stiff, 1},
+     0.04,
+     0.02,
+     {0.0912, 0.1491, 0.2446, 0.3509, 0.4390, 0.5519, 0.6240}},
+    {{"1.25 times the radius", soft, soft, 1.25},
+     0.06,
+     0.1,
+     {0.0825, 0.1398, 0.2433, 0.3642, 0.4635, 0.5765, 0.6600}},
+    {{"twice the radius", soft, soft, 2},
+     0.08,
+     0.17,
+     {0.1007, 0.1576, 0.2830, 0.4118, 0.5141, 0.6242, 0.7256, 0.8205, 0.9175}},
+    {{"twice radius and strength", soft, twice, 2},
+     0.15,
+     0.17,
+     {0.1051, 0.1628, 0.2877, 0.4155, 0.5181, 0.6281, 0.7266, 0.8219, 0.9151}},
+    {{"twice the radius, five times the strength", soft, five, 2},
+     0.21,
+     0.17,
+     {0.1051, 0.1628, 0.2877, 0.4155, 0.5180, 0.6278, 0.7253}},
+    {{"a dent: twice the radius, half the strength", twice, soft, 2},
+     0.11,
+     0.34,
+     {0.1047, 0.1684, 0.3212, 0.4892, 0.6431, 0.9112, 1.1344, 1.3341, 1.5208}},
+};
+
 } // namespace
 
-TEST(UnlikePartners, Explore) {
-  const Metal soft{100, 1}, twice{100, 2}, five{100, 5}, stiff{500, 1};
-  for (const auto& u : {Unlike{"like", soft, soft, 1},
-                        {"s12", soft, twice, 1},
-                        {"s15", soft, five, 1},
-                        {"r12", soft, soft, 2},
-                        {"r12s12", soft, twice, 2},
-                        {"r12s15", soft, five, 2},
-                        {"r12s21", twice, soft, 2},
-                        {"r12s51", five, soft, 2},
-                        {"e15", soft, stiff, 1}}) {
-    const law::Law law = law::tabulate(law::prepare(law_of(u.one), 1, law_of(u.two), u.R2));
-    for (const double gamma : {0.04, 0.06, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6}) {
-      const auto now = law::evaluate(law, {}, gamma);
-      std::printf("%s,%g,%.5f,%d\n", u.what, gamma, now.force / M_PI, now.in_range);
-      std::printf("hand %s %g %.5f %+.2f %%\n", u.what, gamma, by_hand(u, gamma),
-                  100 * (joined(u, gamma) / by_hand(u, gamma) - 1));
+TEST(UnlikePartners, JoinedCurvesAreAsFarFromCalculiXAsThePageSays) {
+  for (const auto& [pair, near, far, F] : calculix)
+    for (std::size_t i = 0; i < F.size(); ++i) {
+      const double deviation = joined(pair, gammas[i]) / F[i] - 1;
+      const double of_ratio = (1 + deviation) / (joined(calculix[0].pair, gammas[i]) / calculix[0].F[i]) - 1;
+      std::printf("%s, gamma %.2f: force %+.1f %%, over that of alike ones %+.1f %%\n", pair.what, gammas[i],
+                  100 * deviation, 100 * of_ratio);
+      EXPECT_NEAR(deviation, 0, gammas[i] < 0.2 ? near : far) << pair.what << ' ' << gammas[i];
     }
-  }
+}
+
+TEST(UnlikePartners, JoinedCurvesFollowTheRuleWorkedOutAnew) {
+  for (const auto& [pair, near, far, F] : calculix)
+    for (std::size_t i = 0; i < F.size(); ++i)
+      EXPECT_NEAR(joined(pair, gammas[i]) / by_hand(pair, gammas[i]), 1, 0.006)
+          << pair.what << ' ' << gammas[i];
 }
 
 } // namespace platen
