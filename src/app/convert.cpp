@@ -1,7 +1,10 @@
 #include "app/commands.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/number.hpp"
+#include "core/toml.hpp"
 #include "fit/convert_deck.hpp"
+#include "fit/rewrite_hardening.hpp"
 #include "material/card.hpp"
 #include "material/deck.hpp"
 
@@ -13,7 +16,7 @@ namespace platen::app {
 namespace {
 
 struct Options {
-  std::string deck, card, units, material;
+  std::string deck, card, units, material, hardening, strain = "0:1";
   std::optional<double> rho_r0;
   bool force = false;
 };
@@ -41,7 +44,35 @@ void write_deck(const Options& o) {
   write(o, deck.text + remarks, {}, deck.left_over);
 }
 
+fit::StrainRange strain_range(const std::string& text) {
+  const auto colon = text.find(':');
+  const auto from = core::number_from(text.substr(0, colon)),
+             to = colon == std::string::npos ? std::nullopt : core::number_from(text.substr(colon + 1));
+  if (!from || !to) throw core::InvalidInput(fmt::format("--strain {} is not of the form FROM:TO", text));
+  return {*from, *to};
+}
+
+void write_hardening(const Options& o) {
+  auto card = material::read_card(o.deck);
+  const auto* metal = std::get_if<material::VonMises>(&card.material.model);
+  if (!metal)
+    throw core::InvalidInput(fmt::format("{}: hardening is of von-mises, this is {}", o.deck,
+                                         material::model_name(card.material.model)));
+  const auto rewritten = fit::rewrite_hardening(*metal, o.hardening, strain_range(o.strain));
+  card.material.model = rewritten.material;
+  const auto error = fmt::format("stress off by {:.3g} % rms, at most {:.3g} % (at plastic strain {:.3g})",
+                                 100 * rewritten.relative_rms, 100 * rewritten.worst, rewritten.worst_at);
+  const auto source =
+      fmt::format("hardening of {} as {}: least squares of the stress over plastic strains {}; {}",
+                  card.material.name, o.hardening, o.strain, error);
+  const auto text = fmt::format("{}\n[source]\ndefault = {}\n", material::card_text(card.material),
+                                core::in_quotes(source));
+  (void)material::read_card(core::parse_toml(text, o.deck)); // what the model does not admit is said now
+  write(o, text, {error}, {});
+}
+
 void convert(const Options& o) {
+  if (!o.hardening.empty()) return write_hardening(o);
   const bool named = !core::is_there(o.deck);
   if (o.deck.ends_with(".toml") || (named && !o.deck.ends_with(".inp"))) return write_deck(o);
   if (named) throw core::InvalidInput(fmt::format("{}: there is no such file", o.deck));
@@ -55,8 +86,9 @@ void convert(const Options& o) {
 } // namespace
 
 void add_convert(Command program) {
-  auto command =
-      program.add_subcommand("convert", "a material card from an Abaqus input file, or the other way round");
+  auto command = program.add_subcommand(
+      "convert",
+      "a material card from an Abaqus input file, or the other way round; another form of hardening");
   auto o = std::make_shared<Options>();
   command.add_option("DECK.inp", o->deck, "input file with a *MATERIAL; or a material card").required();
   command.add_option("-o", o->card, "write the card, or the deck, here").type_name("MATERIAL.toml");
@@ -66,12 +98,24 @@ void add_convert(Command program) {
   command
       .add_option("--rho_r0", o->rho_r0, "*CAP PLASTICITY: relative density at volumetric plastic strain 0")
       .type_name("NUMBER");
+  command
+      .add_option(
+          "--hardening", o->hardening,
+          "of a von-mises card: the same material with the hardening none, exponential, hollomon, ludwik or "
+          "table, by least squares of the stress")
+      .type_name("KIND");
+  command
+      .add_option("--strain", o->strain,
+                  "the equivalent plastic strains over which --hardening follows the stress")
+      .type_name("FROM:TO")
+      .capture_default_str();
   command.add_flag("--force", o->force, "write the card though its numbers are doubted");
   command.footer(
       "Reads *ELASTIC, *DENSITY, *PLASTIC, *DRUCKER PRAGER, *CAP PLASTICITY and *MOHR COULOMB with their\n"
       "hardening; lists whatever else the material says.\n"
       "Example: platen convert tablet.inp --units mm-tonne-MPa -o tablet.toml\n"
-      "         platen convert von-mises-100 --units mm-tonne-MPa -o metal.inp");
+      "         platen convert von-mises-100 --units mm-tonne-MPa -o metal.inp\n"
+      "         platen convert lead-ludwik --hardening hollomon --strain 0:1.5 -o lead.toml");
   command.callback([o] { convert(*o); });
 }
 

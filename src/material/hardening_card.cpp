@@ -139,7 +139,8 @@ std::vector<CardEntry> hardening_entries(const Hardening& hardening) {
 }
 
 std::string hardening_reference() {
-  std::string page = "### hardening = { kind = ..., ... }\n\n`eps_p` is the equivalent plastic strain.\n";
+  std::string page = "### hardening = { kind = ..., ... }\n\n`eps_p` is the equivalent plastic strain. "
+                     "`platen convert CARD --hardening KIND` writes one kind as another.\n";
   for_each_kind([&](const auto& kind) {
     page += fmt::format("\n`kind = \"{}\"`: {}\n", kind.name, kind.words);
     if (!kind.section.fields.empty()) page += "\n" + core::reference_table(kind.section.fields);

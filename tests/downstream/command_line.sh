@@ -457,6 +457,15 @@ answers 0 '*DEPVAR' "$platen" convert deck.inp --units mm-tonne-MPa -o deck.toml
 answers 0 'von-mises' "$platen" materials deck.toml
 answers 0 '*Plastic' "$platen" convert deck.toml --units si
 answers 2 'no von Mises Double Cap' "$platen" convert base-case --units si
+answers 0 'kind = "hollomon"' "$platen" convert lead-ludwik --hardening hollomon --strain 0:1.5
+answers 0 'stress off by' "$platen" convert lead-hollomon --hardening ludwik -o ludwik.toml
+answers 0 'hardening.K_Pa' "$platen" materials ludwik.toml
+answers 2 'hardening is of von-mises, this is vmdc' "$platen" convert base-case --hardening table
+answers 2 "did you mean 'ludwik'?" "$platen" convert lead-hollomon --hardening ludwick
+answers 2 'no hollomon law follows this stress' "$platen" convert von-mises-100 --hardening hollomon
+answers 2 '--strain 0.5 is not of the form FROM:TO' "$platen" convert lead-hollomon --hardening ludwik --strain 0.5
+answers 2 'they must ascend' "$platen" convert lead-hollomon --hardening ludwik --strain 1:0.5
+answers 2 "did you mean 'lead-hollomon'?" "$platen" convert led-hollomon --hardening ludwik
 
 # misspelt commands and options, streams, quiet, what shells and man read
 answers 2 "there is no command 'platen pres'; did you mean 'press'?" "$platen" pres
