@@ -60,9 +60,9 @@ Curves surrogate_curves(const material::Material& typical) {
     auto rest = said_of(*s, d, nullptr).F_variance; // what no component holds: another Poisson's ratio
     for (double& variance : rest) variance *= wider * wider;
     for (const auto& layer : s->layers) {
-      const double scatter = &layer == &s->layers.front() ? 1 : best.spread;
+      const double scatter = &layer == &s->layers.front() ? 1 : best.scatter;
       for (std::size_t c = 0; c < layer.force.basis.size(); ++c) {
-        const double by = spread * deviation(layer.force.processes[c], layer.inputs, at, wider);
+        const double by = scatter * deviation(layer.force.processes[c], layer.inputs, at, wider);
         auto other = best;
         for (std::size_t j = 0; j < other.F.size(); ++j) {
           other.F[j] += by * layer.force.basis[c][j];
@@ -71,7 +71,7 @@ Curves surrogate_curves(const material::Material& typical) {
         ways.push_back(curve(*s, other, m));
       }
       for (const auto& [components, values, factor] :
-           {std::tuple{&Layer::work, &Said::work, spread}, {&Layer::exponent, &Said::exponent, 1.0}}) {
+           {std::tuple{&Layer::work, &Said::work, scatter}, {&Layer::exponent, &Said::exponent, 1.0}}) {
         const Components& of = layer.*components;
         for (std::size_t c = 0; c < of.basis.size(); ++c) {
           const double by = factor * deviation(of.processes[c], layer.inputs, at, 1);
