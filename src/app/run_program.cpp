@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <filesystem>
 #include <new>
 #include <string_view>
@@ -31,10 +33,23 @@ int give_up(Exit code, std::string_view why) {
   return code;
 }
 
+constexpr std::string_view no_memory = "the memory of this machine does not suffice; ask for fewer elements";
+
+/// Values of JSON allocate as they are destroyed, where no exception may pass: what is caught elsewhere ends
+/// here.
+[[noreturn]] void end_of_all() {
+  try {
+    if (const auto error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) { std::_Exit(give_up(input_output, no_memory)); } catch (...) {
+  }
+  std::abort();
+}
+
 } // namespace
 
 int run_program(int argc, char** argv, const std::function<void(Program&)>& add) {
   core::watch_for_interrupts();
+  const auto before = std::set_terminate(end_of_all);
   int status = done;
   try {
     Program program("platen", description, fmt::format("platen {} (engine {})", core::version, core::engine));
@@ -55,12 +70,13 @@ int run_program(int argc, char** argv, const std::function<void(Program&)>& add)
   } catch (const std::system_error& error) { // of fmt::print
     status = give_up(input_output, fmt::format("the output could not be written: {}", error.what()));
   } catch (const std::bad_alloc&) {
-    status = give_up(input_output, "the memory of this machine does not suffice; ask for fewer elements");
+    status = give_up(input_output, no_memory);
   } catch (const std::exception& error) {
     status = give_up(fault, fmt::format("a fault in platen itself, please report it: {}", error.what()));
   }
   if (std::fflush(stdout) != 0 && status == done)
     status = give_up(input_output, "the output could not be written; is the disk full?");
+  std::set_terminate(before);
   return status;
 }
 

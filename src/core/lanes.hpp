@@ -68,6 +68,21 @@ inline constexpr double ln_2_high = 0x1.62e42fefap-1, ln_2_low = 0x1.cf79abc9e3b
 using EightBits = std::uint64_t __attribute__((vector_size(64)));
 using FourBits = std::uint64_t __attribute__((vector_size(32)));
 template <Vector V> using Bits = std::conditional_t<std::is_same_v<V, Lanes>, EightBits, FourBits>;
+
+/// Taylor's sum to the 13th power, even and odd ones apart: |r| <= ln(2)/2 leaves 4e-18 over.
+template <class T> PLATEN_LANES T exp_near_0(const T& r) {
+  const T r2 = r * r;
+  const T even =
+      1 + r2 * (1 / 2.0 +
+                r2 * (1 / 24.0 +
+                      r2 * (1 / 720.0 + r2 * (1 / 40320.0 + r2 * (1 / 3628800.0 + r2 * (1 / 479001600.0))))));
+  const T odd =
+      1 +
+      r2 * (1 / 6.0 +
+            r2 * (1 / 120.0 +
+                  r2 * (1 / 5040.0 + r2 * (1 / 362880.0 + r2 * (1 / 39916800.0 + r2 * (1 / 6227020800.0))))));
+  return even + r * odd;
+}
 } // namespace detail
 
 /// To a relative 5e-16; of x within 708, beyond that the value there.
@@ -76,19 +91,9 @@ template <Vector V> PLATEN_LANES V exp(const V& x) {
   constexpr double shift = 0x1.8p52; // a whole number added to it stands in its last bits
   const V bounded = x > 708 ? V{} + 708 : x < -708 ? V{} - 708 : x;
   const V shifted = bounded * per_ln_2 + shift, n = shifted - shift;
-  const V r = bounded - n * detail::ln_2_high - n * detail::ln_2_low, r2 = r * r;
-  // Taylor's sum to the 13th power, even and odd ones apart: |r| <= ln(2)/2 leaves 4e-18 over.
-  const V even =
-      1 + r2 * (1 / 2.0 +
-                r2 * (1 / 24.0 +
-                      r2 * (1 / 720.0 + r2 * (1 / 40320.0 + r2 * (1 / 3628800.0 + r2 * (1 / 479001600.0))))));
-  const V odd =
-      1 +
-      r2 * (1 / 6.0 +
-            r2 * (1 / 120.0 +
-                  r2 * (1 / 5040.0 + r2 * (1 / 362880.0 + r2 * (1 / 39916800.0 + r2 * (1 / 6227020800.0))))));
+  const V r = bounded - n * detail::ln_2_high - n * detail::ln_2_low;
   using Bits = detail::Bits<V>;
-  const Bits bits = std::bit_cast<Bits>(V(even + r * odd)) + (std::bit_cast<Bits>(shifted) << 52);
+  const Bits bits = std::bit_cast<Bits>(V(detail::exp_near_0(r))) + (std::bit_cast<Bits>(shifted) << 52);
   return x == x ? std::bit_cast<V>(bits) : x;
 }
 

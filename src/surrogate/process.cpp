@@ -126,15 +126,24 @@ struct Place {
   static constexpr std::size_t width = core::lanes<core::Lanes>;
 };
 
-/// each(i, r, k): distances of so many inputs from i on, and their kernels over v.
-template <class Each> void for_kernels(const Process& p, const Place& place, Each each) {
+std::vector<double> squared(std::vector<double> w) {
+  for (double& one : w) one *= one;
+  return w;
+}
+
+/// each(i, r, k): distances of so many inputs from i on, and their kernels over v. `w2`: squared(p.w).
+template <class Each>
+void for_kernels(const Process& p, const std::vector<double>& w2, const Place& place, Each each) {
   using T = core::Lanes;
   T x;
+  const double* const scales = w2.data();
+  const std::size_t dimensions = w2.size();
   for (std::size_t i = 0; i < place.length; i += Place::width) {
     T square{};
-    for (std::size_t k = 0; k < p.w.size(); ++k) {
-      std::memcpy(&x, &place.squares[k * place.length + i], sizeof x);
-      square += p.w[k] * p.w[k] * x;
+    const double* column = place.squares.data() + i;
+    for (std::size_t k = 0; k < dimensions; ++k, column += place.length) {
+      std::memcpy(&x, column, sizeof x);
+      square += scales[k] * x;
     }
     const T r = core::sqrt(square);
     std::memcpy(&x, &place.plane[i], sizeof x);
@@ -143,11 +152,11 @@ template <class Each> void for_kernels(const Process& p, const Place& place, Eac
 }
 
 /// Sum of kernel times weight; `weights` as long as the columns.
-PLATEN_VECTOR_CLONES [[gnu::flatten]] double weighted(const Process& p, const Place& place,
-                                                      const double* weights) {
+PLATEN_VECTOR_CLONES [[gnu::flatten]] double weighted(const Process& p, const std::vector<double>& w2,
+                                                      const Place& place, const double* weights) {
   using T = core::Lanes;
   T sum{}, w;
-  for_kernels(p, place, [&](std::size_t i, const T&, const T& kernel) {
+  for_kernels(p, w2, place, [&](std::size_t i, const T&, const T& kernel) {
     std::memcpy(&w, weights + i, sizeof w);
     sum += w * kernel;
   });
@@ -157,10 +166,10 @@ PLATEN_VECTOR_CLONES [[gnu::flatten]] double weighted(const Process& p, const Pl
 }
 
 /// Distances and kernels themselves, as long as the columns.
-PLATEN_VECTOR_CLONES [[gnu::flatten]] void kernels(const Process& p, const Place& place, double* distances,
-                                                   double* over_v) {
+PLATEN_VECTOR_CLONES [[gnu::flatten]] void kernels(const Process& p, const std::vector<double>& w2,
+                                                   const Place& place, double* distances, double* over_v) {
   using T = core::Lanes;
-  for_kernels(p, place, [&](std::size_t i, const T& r, const T& kernel) {
+  for_kernels(p, w2, place, [&](std::size_t i, const T& r, const T& kernel) {
     std::memcpy(distances + i, &r, sizeof r);
     std::memcpy(over_v + i, &kernel, sizeof kernel);
   });
@@ -174,7 +183,7 @@ std::vector<double> means(std::span<const Process> processes, const Inputs& inpu
   std::vector<double> weights(place.length), result;
   for (const Process& p : processes) {
     std::copy(p.weights.begin(), p.weights.end(), weights.begin());
-    result.push_back(p.variance * weighted(p, place, weights.data()));
+    result.push_back(p.variance * weighted(p, squared(p.w), place, weights.data()));
   }
   return result;
 }
@@ -206,7 +215,7 @@ std::vector<double> variances(std::span<const Process> processes, const Inputs& 
   const Place place(inputs, at);
   std::vector<double> r(place.length), k(place.length), result;
   for (const Process& p : processes) {
-    kernels(p, place, r.data(), k.data());
+    kernels(p, squared(p.w), place, r.data(), k.data());
     auto near = nearest(r.data(), inputs.size());
     double explained = 0;
     if (p.known) explained = p.known->near.explained(p.known->R, std::move(near), k.data());
