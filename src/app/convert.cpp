@@ -92,8 +92,9 @@ void add_convert(Command program) {
   auto o = std::make_shared<Options>();
   command.add_option("DECK.inp", o->deck, "input file with a *MATERIAL; or a material card").required();
   command.add_option("-o", o->card, "write the card, or the deck, here").type_name("MATERIAL.toml");
-  command.add_option("--units", o->units, "si, mm-tonne-MPa, mm-kg-GPa, m-tonne-kPa or in-lbf-psi")
-      .type_name("SYSTEM");
+  const auto units =
+      command.add_option("--units", o->units, "si, mm-tonne-MPa, mm-kg-GPa, m-tonne-kPa or in-lbf-psi")
+          .type_name("SYSTEM");
   command.add_option("--material", o->material, "which one, where there are several").type_name("NAME");
   command
       .add_option("--rho_r0", o->rho_r0, "*CAP PLASTICITY: relative density at volumetric plastic strain 0")
@@ -103,7 +104,8 @@ void add_convert(Command program) {
           "--hardening", o->hardening,
           "of a von-mises card: the same material with the hardening none, exponential, hollomon, ludwik or "
           "table, by least squares of the stress")
-      .type_name("KIND");
+      .type_name("KIND")
+      .excludes(units);
   command
       .add_option("--strain", o->strain,
                   "the equivalent plastic strains over which --hardening follows the stress")

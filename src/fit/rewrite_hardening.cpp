@@ -56,7 +56,7 @@ double misfit(const VonMises& m, const Stress& s) {
 }
 
 /// `count` numbers from low to high, by equal factors or by equal steps.
-std::vector<double> spread(double low, double high, int count, bool by_factors) {
+std::vector<double> between(double low, double high, int count, bool by_factors) {
   std::vector<double> all;
   for (int i = 0; i < count; ++i) {
     const double t = static_cast<double>(i) / (count - 1);
@@ -86,7 +86,7 @@ VonMises as_none(const VonMises& m, const Stress& s, const StrainRange&) {
 
 /// sigma_y is linear: sum sigma exp/sum exp^2.
 VonMises as_exponential(const VonMises& m, const Stress& s, const StrainRange&) {
-  return best_exponent(s, "exponential", "eta", spread(-eta_most, eta_most, 81, false), [&](double eta) {
+  return best_exponent(s, "exponential", "eta", between(-eta_most, eta_most, 81, false), [&](double eta) {
     double top = 0, bottom = 0;
     for (std::size_t i = 0; i < s.strain.size(); ++i) {
       const double e = std::exp(eta * s.strain[i]);
@@ -99,7 +99,7 @@ VonMises as_exponential(const VonMises& m, const Stress& s, const StrainRange&) 
 VonMises as_hollomon(const VonMises& m, const Stress& s, const StrainRange&) {
   const double top = *std::max_element(s.sigma.begin(), s.sigma.end());
   // 1/m = 1 is a straight line, which is a law of this kind.
-  return best_exponent(s, "hollomon", "1/m", spread(exponent_least, 1, 40, true), [&](double inverse_m) {
+  return best_exponent(s, "hollomon", "1/m", between(exponent_least, 1, 40, true), [&](double inverse_m) {
     const auto of = [&](double log_kappa) {
       return with(m, 0, material::Hollomon{std::exp(log_kappa), inverse_m});
     };
@@ -113,7 +113,7 @@ VonMises as_hollomon(const VonMises& m, const Stress& s, const StrainRange&) {
 /// sigma_y and K are linear.
 VonMises as_ludwik(const VonMises& m, const Stress& s, const StrainRange&) {
   return best_exponent(
-      s, "ludwik", "1/n", spread(exponent_least, ludwik_most, 60, true), [&](double inverse_n) {
+      s, "ludwik", "1/n", between(exponent_least, ludwik_most, 60, true), [&](double inverse_n) {
         // The law's own shape, with its parabola near 0: what K = 1 adds to no yield stress, in units of a K
         // near the one sought, on which the parabola depends a little.
         double K = *std::max_element(s.sigma.begin(), s.sigma.end()), sigma_y = 0;

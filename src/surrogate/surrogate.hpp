@@ -31,8 +31,7 @@ struct Layer {
 /// What a press on the coarse mesh says of a material.
 struct CoarsePress {
   std::vector<double> F_bar, a_bar; ///< at the knots
-  std::vector<double> alpha,
-      beta; ///< of the unloadings; none where one ends early or is too steep to be fitted
+  std::vector<double> alpha, beta;  ///< of the unloadings; none where one ends early or cannot be fitted
 };
 
 /// Relative errors of the pool's materials, each predicted without itself: of five in a hundred larger, and
