@@ -76,8 +76,10 @@ struct OwnContact {
     };
     split(x * std::sqrt(x), elastic, plastic);
     split(top.a * top.a * top.a, area_elastic, area_plastic);
+    // Where the whole stiffens beyond its elasticity, no plastic work is left to say n.
     const double x_hertz = std::pow(hertz, 2.0 / 3), work = top.work() - 0.4 * top.F * x_hertz;
-    if (work > 0) n = std::max(top.F * (x - x_hertz) / work - 1, 1.0); // Hertz's work is 2/5 F x
+    const double whole = std::max(top.F * x / top.work() - 1, 1.0);
+    n = work > 0 ? std::clamp(top.F * (x - x_hertz) / work - 1, 1.0, whole) : whole;
     compliance = top.a * top.w / (top.alpha * top.F);
   }
 };

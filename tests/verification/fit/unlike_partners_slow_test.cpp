@@ -72,9 +72,10 @@ struct Rows {
     const double t = (f - F[i - 1]) / (F[i] - F[i - 1]), here = x[i - 1] + t * (x[i] - x[i - 1]);
     const double hertz = std::min(0.75 * M_PI * f * (1 - 0.3 * 0.3) / E, std::pow(here, 1.5)),
                  x_hertz = std::pow(hertz, 2.0 / 3);
-    const double work = W[i - 1] + (F[i - 1] + f) / 2 * (here - x[i - 1]) - 0.4 * f * x_hertz;
+    const double whole = W[i - 1] + (F[i - 1] + f) / 2 * (here - x[i - 1]), work = whole - 0.4 * f * x_hertz;
+    const double n = f * here / whole - 1;
     return {std::pow(R, 3) * hertz, R * R * std::pow(std::pow(here, 1.5) - hertz, 2.0 / 3),
-            work > 0 ? f * (here - x_hertz) / work - 1 : 0};
+            work > 0 ? std::min(f * (here - x_hertz) / work - 1, n) : n};
   }
   double most() const { return F.back(); }
 
