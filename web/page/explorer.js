@@ -265,17 +265,7 @@ function fitWidths() {
   return different;
 }
 
-let frameDone = false;
-/// At once if nothing has been drawn in this frame, else with the next.
 function draw(answer) {
-  if (frameDone) { drawNext = answer; return; }
-  frameDone = true;
-  requestAnimationFrame(() => { frameDone = false; const a = drawNext; drawNext = null; if (a) draw(a); });
-  drawNow(answer);
-}
-let drawNext = null;
-
-function drawNow(answer) {
   if (answer.sentence) {
     document.documentElement.dataset.revision = String(1 + Number(document.documentElement.dataset.revision ?? 0));
     last = { sentence: answer.sentence };
@@ -637,5 +627,5 @@ showAll();
 startWorker();
 if (!linked && !before && worker) openQuestions();
 addEventListener('hashchange', () => { if (readLink()) { say(''); buildMaterial(); showAll(); changed(); } });
-new ResizeObserver(() => { if (last?.curves && fitWidths()) drawNow(last); }).observe($('answer'));
+new ResizeObserver(() => { if (last?.curves && fitWidths()) draw(last); }).observe($('answer'));
 if ('serviceWorker' in navigator) navigator.serviceWorker.register('service-worker.js').catch(() => {});

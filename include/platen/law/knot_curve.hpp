@@ -187,27 +187,29 @@ class KnotCurve {
     constexpr double room = 1e-3; // for what lies between the points
     double lost = 0, work = work_to_knot.front();
     if (gamma_elastic == 0) lost = -infinity;
-    std::vector<double> xs, Fs, ln_Fs;
+    double F_last = 0;
+    std::vector<double> xs, ln_Fs;
     for (std::size_t i = 0; i + 1 < x.size(); ++i)
       for (int k = 0; k < parts + (i + 2 == x.size()); ++k) {
         const double at = x[i] + (x[i + 1] - x[i]) * k / parts, here = std::exp(at);
         double y = 0, slope = 0;
         force.at(at, y, slope);
-        const double F = std::exp(y), alpha = exponent.value(at);
-        const double put_in = xs.empty() ? 0 : put_in_between(xs.back(), Fs.back(), here, F);
+        const double F = std::exp(y), alpha = exponent.value(at), per_alpha = 1 / alpha;
+        const double put_in = xs.empty() ? 0 : put_in_between(xs.back(), F_last, here, F);
         work += put_in;
         double w = std::min(here, alpha * F / std::exp(stiffness.value(at)));
         if (slope > 0) w = std::min(w, alpha * here / slope); // starts as steeply as the loading curve ends
         for (std::size_t back = 1; back <= xs.size(); back += 1 + back / 16) { // densest near by
           const std::size_t j = xs.size() - back;
-          if ((here - xs[j]) * (1 - room) >= w) break; // nor do those farther away bound it
-          if ((here - xs[j]) * (1 - room) * alpha >= w * (y - ln_Fs[j])) continue; // 1 - e^-t <= t
-          w = std::min(w, (here - xs[j]) / (1 - std::pow(Fs[j] / F, 1 / alpha)) * (1 - room));
+          const double way = (here - xs[j]) * (1 - room), t = (y - ln_Fs[j]) * per_alpha;
+          if (way >= w) break;                                  // nor do those farther away bound it
+          if (way >= w * t * (1 - t * (0.5 - t / 6))) continue; // more than 1 - e^-t
+          w = std::min(w, way / (1 - std::exp(-t)));
         }
         w = std::min(w, (work - lost - room * put_in) * (1 + alpha) / F);
         lost = work - F * w / (1 + alpha);
-        xs.push_back(here), Fs.push_back(F), ln_Fs.push_back(y), u.push_back(at),
-            ln_share.push_back(std::log(w / here));
+        F_last = F;
+        xs.push_back(here), ln_Fs.push_back(y), u.push_back(at), ln_share.push_back(std::log(w / here));
       }
     recovered = MonotoneCurve(u, ln_share);
   }
