@@ -83,7 +83,7 @@ Laws::Laws(Contact contact_, int index_, const Units& units)
     const law::Law law =
         contact.on_plane ? law::make_law_on_plane(one, 1) : law::make_law(one, 1, body_of(contact.two), 1);
     shear = eight_G(law.pair) * units.length / units.force;
-    node_[contact.on_plane ? 0 : last] = law.table;
+    node_[contact.on_plane ? last : 0] = law.table;
     force_power = law.force_power;
     plain = !contact.on_plane && !fixed && force_power == 2;
   } catch (const law::BadParameter& error) {
@@ -103,14 +103,13 @@ void Laws::check_radius(const fit::LawCard& card, double R) const {
                     card.file, own->second, R));
 }
 
-/// A R_e = s = 2/sqrt(1 + 3 t^2), t = (R1 - R2)/(R1 + R2).
 const law::Table* Laws::node(int k, bool first_is_larger) {
-  if (k == last || contact.one.file == contact.two.file) first_is_larger = false; // the same from both sides
+  if (k == 0 || contact.one.file == contact.two.file) first_is_larger = false; // the same from both sides
   auto& table = (first_is_larger ? mirrored_ : node_)[static_cast<std::size_t>(k)];
   if (table) return table.get();
-  const double s = 1 + static_cast<double>(k) / last, t = std::sqrt((4 / (s * s) - 1) / 3);
+  const double t = static_cast<double>(k) / last, small = k == last ? 1 : 1 - t,
+               large = k == last ? law::infinity : 1 + t;
   const law::LawChoice one = body_of(contact.one), two = body_of(contact.two);
-  const double small = k == 0 ? 1 : 1 - t, large = k == 0 ? law::infinity : 1 + t;
   table =
       (first_is_larger ? law::make_law(one, large, two, small) : law::make_law(one, small, two, large)).table;
   return table.get();
@@ -124,7 +123,7 @@ Laws::At Laws::between(double R1, double R2) {
   }
   if (contact.on_plane) {
     const double R = R1 * length, F = force_power == 2 ? R * R : std::pow(R, force_power);
-    at.table = node_[0].get();
+    at.table = node_[last].get();
     at.scale = {R, 1 / R, F, F * R, F / (R * R)};
     return at;
   }
@@ -133,7 +132,7 @@ Laws::At Laws::between(double R1, double R2) {
   const double R_e = mean * (1 - t2) / root, x_per_gamma = (1 + 3 * t2) / (2 * (1 - t2) * mean);
   const double F = force_power == 2 ? R_e * R_e : std::pow(R_e, force_power);
   at.scale = {R_e, x_per_gamma, F, F / x_per_gamma, F / (R_e * R_e)};
-  at.table = node(static_cast<int>(std::lround((2 / root - 1) * last)), t > 0);
+  at.table = node(static_cast<int>(std::lround(std::abs(t) * last)), t > 0);
   return at;
 }
 

@@ -32,9 +32,9 @@ void check(const Contact&);
 /// Hertz's contact at any velocity (Tsuji, Tanaka & Ishida 1992; Antypov & Elliott 2011).
 double damping_of(double restitution);
 
-/// The laws of two materials. One table serves all radii with the same A R_e (law/pair.hpp), 2 for equal
-/// spheres and 1 against a plane; others take the next of 512, whose modulus is right to 0.1 %. Each is made
-/// when it is first needed.
+/// The laws of two materials. One table serves all radii of the same ratio, t = |R1 - R2|/(R1 + R2), 0 for
+/// equal spheres and 1 against a plane; others take the next of 512, whose force is right to 0.3 %. Each is
+/// made when it is first needed.
 class Laws {
  public:
   Laws(Contact, int index, const Units&);
@@ -48,7 +48,7 @@ class Laws {
   PLATEN_HOT At at(double R1, double R2) {
     if (R1 == R2 && plain) { // equal spheres, most often
       const double R = R1 * length, square = R * R;
-      return {node_[last].get(), {R, 0.5 / R, square, 2 * R * square}};
+      return {node_[0].get(), {R, 0.5 / R, square, 2 * R * square}};
     }
     return between(R1, R2);
   }
@@ -66,7 +66,7 @@ class Laws {
   double x_valid = law::infinity; ///< the cards hold up to here, delta/R
 
  private:
-  static constexpr int last = 512; ///< A R_e = 1 + k/512
+  static constexpr int last = 512; ///< t = k/512
   At between(double R1, double R2);
   const law::Table* node(int k, bool first_is_larger);
   void check_radius(const fit::LawCard&, double R) const;

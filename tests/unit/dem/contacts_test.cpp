@@ -1,0 +1,44 @@
+// One table for all radii of nearly the same ratio: how far that is from the law of the radii themselves.
+
+#include "dem/contacts.hpp"
+#include "platen/law/catalogue.hpp"
+
+#include "../law/random_material.hpp"
+
+#include <gtest/gtest.h>
+
+namespace platen::dem {
+namespace {
+
+using namespace law;
+using namespace law::testing;
+
+TEST(Contacts, OfAnyRadiiAreWithin0_3PerCentOfTheLawOfThoseRadii) {
+  Random random;
+  double worst = 0;
+  for (const char* name : {"hertz", "pressed", "agarwal", "edmans-sinka"})
+    for (int i = 0; i < 20; ++i) {
+      LawChoice one = random_material(find_law(name), random), two = random_material(find_law(name), random);
+      two.variant = one.variant;
+      for (const char* word : {"loading", "unloading"})
+        if (one.parameters.contains(word)) two.parameters[word] = one.parameters[word];
+      Laws laws({{"one.toml", name, one.variant, one.parameters, {}, {}, {}},
+                 {"two.toml", name, two.variant, two.parameters, {}, {}, {}}},
+                0, {});
+      for (int k = 0; k < 5; ++k) {
+        const double R1 = 1e-3, R2 = k == 0 ? 1.02e-3 : random.log_between(5e-5, 2e-2);
+        const Law exact = make_law(one, R1, two, R2);
+        for (const double x : {1e-4, 1e-3, 1e-2, 0.1, 0.3}) {
+          const double overlap = x / exact.scale.x_per_gamma;
+          const double F = evaluate(exact, State{}, overlap).force;
+          const double off = respond(laws.at(R1, R2), 0, overlap).force / F - 1;
+          EXPECT_NEAR(off, 0, 3e-3) << text_of(one) << '\n' << text_of(two) << '\n' << R2 << ' ' << x;
+          worst = std::max(worst, std::abs(off));
+        }
+      }
+    }
+  EXPECT_GT(worst, 1e-4); // else the tables were not shared
+}
+
+} // namespace
+} // namespace platen::dem
