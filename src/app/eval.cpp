@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <iterator>
 #include <memory>
 
@@ -17,7 +18,7 @@ namespace {
 
 struct Options {
   LawArguments law;
-  std::string overlap, path, output;
+  std::string partner, overlap, path, output;
   bool exact = false, json = false;
 };
 
@@ -67,10 +68,29 @@ std::string json_of(const fit::LawCard& card, const std::vector<Row>& rows) {
          "\n";
 }
 
+/// The law that is asked, and how far its cards hold [m].
+struct Asked {
+  law::Law law;
+  double limit;
+};
+Asked asked_law(const fit::LawCard& card, const Options& options) {
+  const law::ParameterTexts more = parameters_of(options.law);
+  if (options.partner.empty()) {
+    law::Law law = fit::make_law(card, more);
+    return {law, fit::overlap_limit(card, law)};
+  }
+  for (const auto& [key, value] : more)
+    if (key != "radius_m" && key != "radius2_m")
+      throw core::InvalidInput(
+          fmt::format("{} has no place beside --with: its cards say all but radius_m and radius2_m", key));
+  const fit::LawCard partner = fit::find_law_card(options.partner);
+  law::Law law = fit::make_law(card, partner, more);
+  return {law, std::min(fit::overlap_limit(card, law), fit::overlap_limit(partner, law))};
+}
+
 void eval(const Options& options) {
   const fit::LawCard card = card_of(options.law);
-  const law::Law law = fit::make_law(card, parameters_of(options.law));
-  const double limit = fit::overlap_limit(card, law);
+  const auto [law, limit] = asked_law(card, options);
   std::vector<Row> rows;
   law::State state;
   std::size_t outside = 0;
@@ -96,6 +116,8 @@ void add_eval(Command program) {
   auto command = program.add_subcommand("eval", "force, contact radius and stiffness of a law over overlap");
   auto options = std::make_shared<Options>();
   add_law_arguments(command, options->law);
+  command.add_option("--with", options->partner,
+                     "law card of the second body, where it is of another material");
   command.add_option("--overlap", options->overlap, "FROM:TO:COUNT [m], both ends included, or one overlap");
   command.add_option("--path", options->path, "CSV with the column overlap_m; the state is carried along");
   command.add_option("-o", options->output, "file to write instead of printing");
@@ -103,7 +125,9 @@ void add_eval(Command program) {
                    "by the law's formulas instead of the table that contact loops run, 1e-4 from them");
   command.add_flag("--json", options->json, "for a machine to read");
   command.footer("Overlap is the approach of the two centres; with --against plane that of the centre.\n"
-                 "Example: platen eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-5:11");
+                 "Example: platen eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-5:11\n"
+                 "         platen eval soft.toml --with hard.toml -p radius_m=1e-3 -p radius2_m=2e-3 "
+                 "--overlap 0:1e-4:11");
   command.callback([options] { eval(*options); });
 }
 

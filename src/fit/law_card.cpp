@@ -217,4 +217,25 @@ law::Law make_law(const LawCard& card, const law::ParameterTexts& more) {
   }
 }
 
+law::Law make_law(const LawCard& one, const LawCard& two, const law::ParameterTexts& radii) {
+  law::LawChoice body[] = {{one.law, one.variant, one.parameters}, {two.law, two.variant, two.parameters}};
+  const auto radius_of = [&](const char* key, const LawCard& card) -> std::optional<double> {
+    const auto given = radii.find(key), own = card.parameters.find("radius_m");
+    if (given == radii.end() && own == card.parameters.end()) return std::nullopt;
+    const std::string& text = given != radii.end() ? given->second : own->second;
+    if (const auto number = core::number_from(text)) return number;
+    throw InvalidInput(fmt::format("{} = {} is not a number", key, text));
+  };
+  const auto first = radius_of("radius_m", one);
+  if (!first) throw InvalidInput("radius_m is missing: the radius of the first body [m]");
+  const double radius[] = {*first, radius_of("radius2_m", two).value_or(*first)};
+  for (auto& choice : body) choice.parameters.erase("radius_m"), choice.parameters.erase("against");
+  try {
+    return law::make_law(body[0], radius[0], body[1], radius[1]);
+  } catch (const law::BadParameter& error) {
+    throw InvalidInput(fmt::format("{} with {}: {}", one.file.empty() ? one.law : one.file,
+                                   two.file.empty() ? two.law : two.file, error.what()));
+  }
+}
+
 } // namespace platen::fit

@@ -48,6 +48,10 @@ std::string text_of(const LawCard&);
 /// card or replace them. Throws core::InvalidInput.
 law::Law make_law(const LawCard&, const law::ParameterTexts& more);
 
+/// Two bodies, each with its own card. `radii`: radius_m, and radius2_m where it is not the same [m]. Throws
+/// core::InvalidInput.
+law::Law make_law(const LawCard& one, const LawCard& two, const law::ParameterTexts& radii);
+
 /// The largest overlap for which card and law hold; a card may hold for less than its law [m].
 double overlap_limit(const LawCard&, const law::Law&);
 

@@ -249,6 +249,15 @@ answers 2 "did you mean 'wang'" "$platen" laws wan
 answers 0 ',loading,0,true' "$platen" eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-6:3
 answers 0 'warning: 1 of 2 points are outside' "$platen" eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 0:1e-3:2
 answers 2 'known are: hertz, similarity' "$platen" eval hertzz --overlap 0:1:3
+for E in 1e9 5e10; do
+  printf '%s\n' 'platen = 1' 'law = "hertz"' '[parameters]' "E_Pa = $E" 'nu = 0.3' >"hertz-$E.toml"
+done
+radii=(-p radius_m=1e-3 -p radius2_m=2e-3)
+answers 0 "$("$platen" eval hertz -p E_Pa=1e9 -p nu=0.3 -p E2_Pa=5e10 -p nu2=0.3 "${radii[@]}" --overlap 1e-6 | tail -n 1)" \
+  "$platen" eval hertz-1e9.toml --with hertz-5e10.toml "${radii[@]}" --overlap 1e-6
+answers 2 'radius_m is missing' "$platen" eval hertz-1e9.toml --with hertz-5e10.toml --overlap 1e-6
+answers 2 'E_Pa has no place beside --with' "$platen" eval hertz-1e9.toml --with hertz-5e10.toml -p radius_m=1 -p E_Pa=1e9 --overlap 1e-6
+answers 2 'nothere.toml: there is no such file' "$platen" eval hertz-1e9.toml --with nothere.toml -p radius_m=1 --overlap 1e-6
 answers 0 '1e-6,0.0163814' "$platen" eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 1e-6 --exact
 granule=(edmans-sinka -p radius_m=1e-3 -p nu=0.2 -p sigma_ref_Pa=1e7 -p Gamma_bar=1)
 answers 0 '1e-4,6.125' "$platen" eval "${granule[@]}" -p E_Pa=1e9 --overlap 1e-4
