@@ -464,6 +464,9 @@ answers 2 'hardening is of von-mises, this is vmdc' "$platen" convert base-case 
 answers 2 "did you mean 'ludwik'?" "$platen" convert lead-hollomon --hardening ludwick
 answers 2 'no hollomon law follows this stress' "$platen" convert von-mises-100 --hardening hollomon
 answers 2 '--strain 0.5 is not of the form FROM:TO' "$platen" convert lead-hollomon --hardening ludwik --strain 0.5
+answers 2 '--strain requires --hardening' "$platen" convert lead-ludwik --strain 0:0.5 --units si
+answers 2 '--rho_r0 is of an Abaqus input file' "$platen" convert lead-ludwik --units si --rho_r0 0.3
+answers 2 '--material is of an Abaqus input file' "$platen" convert lead-hollomon --hardening ludwik --material lead
 answers 2 '--units excludes --hardening' "$platen" convert lead-hollomon --hardening ludwik --units si
 answers 2 'they must ascend' "$platen" convert lead-hollomon --hardening ludwik --strain 1:0.5
 answers 2 "did you mean 'lead-hollomon'?" "$platen" convert led-hollomon --hardening ludwik

@@ -1,6 +1,5 @@
-// What a law vouches for: not more force than elastic bodies carry (at x = 0.1 pressed ones carry 1.25 times
-// Hertz's), nor a dent by the curve of a flattened
-// sphere.
+// What a law vouches for: no more force than elastic bodies carry (pressed ones 1.25 times Hertz's at x =
+// 0.1), and no dent by the curve of a flattened sphere.
 
 #include "platen/law/catalogue.hpp"
 #include "random_material.hpp"
