@@ -282,6 +282,8 @@ answers 0 ' 636 kg/m^3' "$platen" export lammps "${hertz_card[@]}" --radius 1e-4
 answers 2 'no density_kg_per_m3' "$platen" export lammps "${hertz_card[@]}" --radius 1e-4 --material weightless.toml
 answers 2 'positive number of kg/m^3' "$platen" export lammps "${hertz_card[@]}" --radius 1e-4
 answers 2 'positive number of metres' "$platen" export lammps "${hertz_card[@]}" --radius -1 --density 636
+answers 2 'a number in (0, 1]' "$platen" export lammps hertz.toml --delta-bar -1 --radius 1e-4 --density 636
+answers 2 'is no number' "$platen" export lammps "${hertz_card[@]}" --radius 1e200 --density 636
 both=(hertz.toml hertz.toml)
 answers 0 'with type 1' "$platen" export lammps "${both[@]}" --radius 1e-4 2e-4 --density 636 1500
 answers 2 'once for each' "$platen" export lammps "${both[@]}" hertz.toml --radius 1e-4 2e-4 --density 636
