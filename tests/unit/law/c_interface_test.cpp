@@ -63,6 +63,20 @@ TEST(CInterface, GivesWhatTheHeadersGive) {
   }
 }
 
+TEST(CInterface, OfBytesThatAreNoStateSaysSo) { // an infinite overlap once read beyond the table
+  for (const auto& [name, parameters] : examples) {
+    platen_law* law = platen_law_new(name, "", parameters, nullptr, 0);
+    ASSERT_NE(law, nullptr);
+    for (const double top : {double(infinity), 1e305, std::nan(""), -1e-5}) {
+      double state[2] = {0, top};
+      const platen_law_response now = platen_law_evaluate(law, state, 1e-5);
+      EXPECT_TRUE(std::isnan(now.force_N) && !now.in_range) << name << ' ' << top;
+      if (!std::isnan(top)) { EXPECT_EQ(state[1], top); }
+    }
+    platen_law_free(law);
+  }
+}
+
 TEST(CInterface, SaysWhatIsWrong) {
   char why[200] = "";
   EXPECT_EQ(platen_law_new("hertzz", "", "", why, sizeof why), nullptr);
