@@ -92,9 +92,8 @@ nlohmann::ordered_json json_of(const fit::Comparison& c) {
 
 /// --radius_m is of the curves that do not say theirs.
 press::Curve curve_of(const std::string& file, const Options& o) {
-  const std::string text = core::read_file(file);
-  const bool says = !core::parse_csv(text, file).note("radius_m").empty();
-  return press::parse_curve(text, file, says ? std::nullopt : o.radius_m);
+  const bool says = !core::read_csv(file).note("radius_m").empty();
+  return press::read_curve(file, says ? std::nullopt : o.radius_m);
 }
 
 fit::Question question_of(const Options& o) {
