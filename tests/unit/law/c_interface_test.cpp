@@ -109,6 +109,8 @@ TEST(Catalogue, RefusesWhatNoLawHereCanBe) {
   says("shahin", "radius_m=1e-3 E_Pa=5e6 nu=0.3 kappa_Pa=6e6 inverse_m=0.3", "stays elastic");
   says("similarity", "radius_m=1e-3 E_Pa=5e6 nu=0.3 kappa_Pa=6e6 inverse_m=0.3", "stays elastic");
   says("hertz", "radius_m=1e-3 E_Pa=1e9 nu=nan", "not a number");
+  says("hertz", "radius_m=1e-3 radius2_m=2e-3 E_Pa=1e9 nu=0.3 against=plane",
+       "radius2_m has no meaning against a rigid plane");
   says("wang", "radius_m=1e-3 E_Pa=2e11 nu=0.3 phi_deg=30 sigma_c_Pa=1e9",
        "Table 2 has no law for this rock");
   says("pressed", "radius_m=1e-3 E_Pa=1e9 nu=0.3 sigma_ref_Pa=1e6 delta_bar=1,2 F_bar=1,2 a_bar=1,2",
