@@ -39,7 +39,8 @@ unsigned platen_law_state_version(const platen_law*); /* of what the bytes mean 
 /* The numbers in it: name and unit of number i, NULL past the last. */
 const char* platen_law_state_name(const platen_law*, size_t i);
 
-/* Overlap: approach of the two centres, against a plane that of the centre [m]. Advances `state`. */
+/* Overlap: approach of the two centres, against a plane that of the centre [m]. Advances `state`. An overlap that is no
+ * number, or bytes that no law left there, give a response that is none, and the state stays. */
 platen_law_response platen_law_evaluate(const platen_law*, void* state, double overlap_m);
 
 /* The same over n contacts, whose states lie one after the other; `stiffness_N_per_m` may be NULL. */

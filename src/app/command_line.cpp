@@ -23,6 +23,7 @@ Option Option::required() { return option_->required(), *this; }
 Option Option::type_name(const std::string& name) { return option_->type_name(name), *this; }
 Option Option::capture_default_str() { return option_->capture_default_str(), *this; }
 Option Option::excludes(Option other) { return option_->excludes(other.option_), *this; }
+Option Option::needs(Option other) { return option_->needs(other.option_), *this; }
 Option Option::value_optional() { return option_->expected(0, 1), *this; }
 Option Option::range(int from, int to) { return option_->check(CLI::Range(from, to)), *this; }
 Option Option::range(double from, double to) { return option_->check(CLI::Range(from, to)), *this; }

@@ -25,6 +25,7 @@ class Option {
   Option type_name(const std::string&);
   Option capture_default_str(); ///< --help shows the value that the variable has now
   Option excludes(Option other);
+  Option needs(Option other);
   Option value_optional(); ///< given alone, it leaves its variable empty
   Option range(int from, int to);
   Option range(double from, double to);

@@ -1,5 +1,6 @@
 #include "app/commands.hpp"
 #include "app/law_arguments.hpp"
+#include "core/csv.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
 #include "core/number.hpp"
@@ -89,6 +90,12 @@ nlohmann::ordered_json json_of(const fit::Comparison& c) {
   return list;
 }
 
+/// --radius_m is of the curves that do not say theirs.
+press::Curve curve_of(const std::string& file, const Options& o) {
+  const bool says = !core::read_csv(file).note("radius_m").empty();
+  return press::read_curve(file, says ? std::nullopt : o.radius_m);
+}
+
 fit::Question question_of(const Options& o) {
   const auto first = std::ranges::find_if(o.items, is_curve);
   if (first == o.items.end())
@@ -96,10 +103,10 @@ fit::Question question_of(const Options& o) {
         "compare needs a curve to compare with: a CSV of `platen press`, or a measured one with "
         "delta_m and force_N; the first one named is the reference");
   fit::Question q;
-  q.reference = {press::read_curve(*first, o.radius_m), *first};
+  q.reference = {curve_of(*first, o), *first};
   for (auto item = o.items.begin(); item != o.items.end(); ++item) {
     if (item == first) continue;
-    if (is_curve(*item)) q.items.push_back(fit::CurveItem{press::read_curve(*item, o.radius_m), *item});
+    if (is_curve(*item)) q.items.push_back(fit::CurveItem{curve_of(*item, o), *item});
     else q.items.push_back(law_of(*item));
   }
   if (!o.material.empty()) q.material = material::read_card(o.material).material;
@@ -136,7 +143,8 @@ void add_compare(Command program) {
   command.add_option("--material", o->material, "material card that gives the laws their parameters");
   command.add_option("-p", o->parameters, "key=value for every law that has the parameter");
   command.add_option("--ranges", o->ranges, "ends of ranges of delta/R, ranked one by one: 0.01,0.1");
-  command.add_option("--radius_m", o->radius_m, "radius of the particle of measured curves");
+  command.add_option("--radius_m", o->radius_m,
+                     "radius of the particle of measured curves that do not say theirs");
   command.add_option("--title", o->title, "title of the picture");
   command.add_flag("--json", o->json, "for a machine to read");
   command.footer(

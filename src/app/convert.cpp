@@ -1,7 +1,7 @@
 #include "app/commands.hpp"
+#include "app/law_arguments.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
-#include "core/number.hpp"
 #include "core/toml.hpp"
 #include "fit/convert_deck.hpp"
 #include "fit/rewrite_hardening.hpp"
@@ -35,7 +35,17 @@ void write(const Options& o, const std::string& text, const std::vector<std::str
   for (const auto& line : left_over) fmt::print(report, "  {}\n", line);
 }
 
+/// What says something of an input file says nothing of a card.
+void refuse_options_of_decks(const Options& o) {
+  for (const auto& [given, name] :
+       {std::pair{!o.material.empty(), "--material"}, std::pair{o.rho_r0.has_value(), "--rho_r0"}})
+    if (given)
+      throw core::InvalidInput(
+          fmt::format("{} is of an Abaqus input file, and {} is a material card", name, o.deck));
+}
+
 void write_deck(const Options& o) {
+  refuse_options_of_decks(o);
   const auto card = material::read_card(o.deck);
   if (o.units.empty()) throw core::InvalidInput("in which units shall it be? Give --units, as mm-tonne-MPa");
   auto deck = material::deck_of(card.material, material::deck_units(o.units));
@@ -45,14 +55,13 @@ void write_deck(const Options& o) {
 }
 
 fit::StrainRange strain_range(const std::string& text) {
-  const auto colon = text.find(':');
-  const auto from = core::number_from(text.substr(0, colon)),
-             to = colon == std::string::npos ? std::nullopt : core::number_from(text.substr(colon + 1));
-  if (!from || !to) throw core::InvalidInput(fmt::format("--strain {} is not of the form FROM:TO", text));
-  return {*from, *to};
+  const auto ends = numbers_of_range("--strain", text);
+  if (ends.size() != 2) throw core::InvalidInput(fmt::format("--strain {} is not of the form FROM:TO", text));
+  return {ends[0], ends[1]};
 }
 
 void write_hardening(const Options& o) {
+  refuse_options_of_decks(o);
   auto card = material::read_card(o.deck);
   const auto* metal = std::get_if<material::VonMises>(&card.material.model);
   if (!metal)
@@ -99,18 +108,17 @@ void add_convert(Command program) {
   command
       .add_option("--rho_r0", o->rho_r0, "*CAP PLASTICITY: relative density at volumetric plastic strain 0")
       .type_name("NUMBER");
-  command
-      .add_option(
-          "--hardening", o->hardening,
-          "of a von-mises card: the same material with the hardening none, exponential, hollomon, ludwik or "
-          "table, by least squares of the stress")
-      .type_name("KIND")
-      .excludes(units);
+  auto hardening = command.add_option(
+      "--hardening", o->hardening,
+      "of a von-mises card: the same material with the hardening none, exponential, hollomon, ludwik or "
+      "table, by least squares of the stress");
+  hardening.type_name("KIND").excludes(units);
   command
       .add_option("--strain", o->strain,
                   "the equivalent plastic strains over which --hardening follows the stress")
       .type_name("FROM:TO")
-      .capture_default_str();
+      .capture_default_str()
+      .needs(hardening);
   command.add_flag("--force", o->force, "write the card though its numbers are doubted");
   command.footer(
       "Reads *ELASTIC, *DENSITY, *PLASTIC, *DRUCKER PRAGER, *CAP PLASTICITY and *MOHR COULOMB with their\n"

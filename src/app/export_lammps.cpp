@@ -1,6 +1,7 @@
 #include "app/export_lammps.hpp"
 #include "core/error.hpp"
 #include "core/file.hpp"
+#include "core/number.hpp"
 #include "dem/lammps_lines.hpp"
 #include "material/card.hpp"
 
@@ -8,6 +9,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,7 +21,7 @@ struct Options {
   std::vector<std::string> materials;
   std::vector<double> radii, densities; // of each type, or one for all
   std::string output;
-  double delta_bar = 0;
+  std::optional<double> delta_bar;
 };
 
 template <class T> const T& of_type(const std::vector<T>& values, std::size_t type) {
@@ -79,7 +81,11 @@ void add_export_lammps(Command command) {
   lammps.add_option("-o", options->output, "file to write instead of printing");
   lammps.footer("Example: platen export lammps mcc.toml --radius 1e-4 --density 1500 -o mcc.lmp");
   lammps.callback([options] {
-    const std::string text = dem::lammps_lines(types_of(*options), options->delta_bar);
+    const auto& asked = options->delta_bar;
+    if (asked && !(*asked > 0 && *asked <= 1))
+      throw core::InvalidInput(
+          fmt::format("--delta-bar {}: it must be a number in (0, 1]", core::number_text(*asked)));
+    const std::string text = dem::lammps_lines(types_of(*options), asked.value_or(0));
     if (options->output.empty()) fmt::print("{}", text);
     else core::write_file(options->output, text);
   });

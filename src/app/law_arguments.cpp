@@ -72,24 +72,29 @@ law::ParameterTexts parameters_of(const LawArguments& arguments) {
   return texts;
 }
 
+std::vector<double> numbers_of_range(const std::string& option, const std::string& range,
+                                     const std::string& key) {
+  std::vector<double> numbers;
+  for (const auto& part : law::detail::split(range, ':')) {
+    const auto value = core::number_from(part);
+    if (!value && !key.empty() && core::quantity_from(part))
+      numbers.push_back(core::value_in_si(fmt::format("{} {}: one end", option, range), part, key));
+    else if (value) numbers.push_back(*value);
+    else throw InvalidInput(fmt::format("{} {}: '{}' is not a number", option, range, part));
+  }
+  return numbers;
+}
+
 std::vector<double> overlaps_of(const std::string& range) {
-  const auto parts = law::detail::split(range, ':');
-  const auto number = [&](std::size_t i) {
-    const auto value = core::number_from(parts[i]);
-    if (!value && core::quantity_from(parts[i]))
-      return core::value_in_si(fmt::format("--overlap {}: one end", range), parts[i], "overlap_m");
-    if (!value) throw InvalidInput(fmt::format("--overlap {}: '{}' is not a number", range, parts[i]));
-    return *value;
-  };
+  const auto parts = numbers_of_range("--overlap", range, "overlap_m");
   if (parts.size() == 1) {
-    const double one = number(0);
-    if (!std::isfinite(one))
+    if (!std::isfinite(parts[0]))
       throw InvalidInput(fmt::format("--overlap {}: it must be a finite number", range));
-    return {one};
+    return parts;
   }
   if (parts.size() != 3)
     throw InvalidInput(fmt::format("--overlap {} is not of the form FROM:TO:COUNT, nor one number", range));
-  const double from = number(0), to = number(1), count = number(2);
+  const double from = parts[0], to = parts[1], count = parts[2];
   if (!std::isfinite(from) || !std::isfinite(to))
     throw InvalidInput(fmt::format("--overlap {}: both ends must be finite numbers", range));
   if (from == to) throw InvalidInput(fmt::format("--overlap {}: the range is empty", range));

@@ -28,6 +28,10 @@ law::ParameterTexts parameters_of(const LawArguments&);
 /// "key=value", also "E=2 GPa" for E_Pa. InvalidInput.
 std::pair<std::string, std::string> parameter_from(const std::string& text);
 
+/// The numbers of "A:B" or "A:B:N", what `option` was given; with a key, in its unit or with one behind them.
+std::vector<double> numbers_of_range(const std::string& option, const std::string& range,
+                                     const std::string& key = "");
+
 /// "A:B:N": N overlaps from A to B, both included; in m, or with a unit: 0:100um:11.
 std::vector<double> overlaps_of(const std::string& range);
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int points = 60;
 
-/// F/(pi R^2) and a/R of a law against a plane, R = 1; NaN from where it ends.
+/// F/(pi R^2) and a/R of a law against a plane, R = 1; NaN outside of its range.
 struct Response {
   double pressure, a;
 };
@@ -79,7 +79,10 @@ std::vector<ConfinedCurve> confined(const Calibration& c) {
         of_a.push_back((here.a - beside.a) / steps[k] * error);
       }
       const auto pressure = banded(here.pressure, of_pressure, c), a = banded(here.a, of_a, c);
-      if (!std::isfinite(pressure.high)) break; // the cell is full
+      if (!std::isfinite(pressure.high)) {
+        if (curve.delta_bar.empty()) continue; // Hertz's force is less
+        break;                                 // the cell is full
+      }
       curve.delta_bar.push_back(x), curve.pressure_Pa.push_back(pressure), curve.a_bar.push_back(a);
     }
     curves.push_back(std::move(curve));

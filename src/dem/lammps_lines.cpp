@@ -76,6 +76,8 @@ std::string lammps_lines(const std::vector<ParticleType>& types, double delta_ba
   double step = law::infinity;
   for (std::size_t i = 0; i < types.size(); ++i)
     step = std::min(step, safety * 2 * std::sqrt(mass_of(types[i]) / (8 * stiffest[i])));
+  if (!std::isnormal(step))
+    throw core::InvalidInput("the time step of particles of this size and density is no number");
   return text +
          fmt::format("# time step: {} of the stability limit 2 sqrt(m/8k), the least of all types\n"
                      "# before the box is made: units si, atom_style sphere, newton off, include platen.lmp\n"

@@ -137,15 +137,16 @@ class Gate {
     if (ratio <= 1)
       say(true,
           fmt::format("the strength, {:.3g} Pa, is above the modulus, {:.3g} Pa", *c_.strength_Pa, *c_.E_Pa));
-    else if (ratio < ratio_least || ratio > ratio_most)
+    else if (!(ratio >= ratio_least && ratio <= ratio_most))
       say(true, fmt::format("E over strength is {:.3g}; materials have {} to {:.0e}", ratio, ratio_least,
                             ratio_most));
   }
 
   void quality() {
-    if (c_.R2 && *c_.R2 < R2_usual)
-      say(*c_.R2 < R2_refused, fmt::format("the law follows the curve with R2 = {:.3g} only{}", *c_.R2,
-                                           *c_.R2 < R2_refused ? "; did the particle break?" : ""));
+    const auto below = [this](double bound) { return c_.R2 && !(*c_.R2 >= bound); }; // so is no number
+    if (below(R2_usual))
+      say(below(R2_refused), fmt::format("the law follows the curve with R2 = {:.3g} only{}", *c_.R2,
+                                         below(R2_refused) ? "; did the particle break?" : ""));
     if (!c_.on_bound.empty())
       say(true,
           fmt::format("{} ended on {} bound: the curve does not determine {}", fmt::join(c_.on_bound, ", "),

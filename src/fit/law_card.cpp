@@ -140,6 +140,9 @@ LawCard read_law_card(const Table& table) {
         throw InvalidInput(fmt::format("{} says that this is {} card; a law card is wanted, with the key law",
                                        core::place(table, key), kind));
   core::refuse_unknown_keys(table, known);
+  if (const Value* format = table.find("platen"); format && number_of(*format) != 1)
+    throw InvalidInput(fmt::format("{} = {} is not allowed; the format of the card is 1",
+                                   core::place(table, "platen"), core::text_of(*format)));
   LawCard card;
   card.file = table.file;
   card.law = text_at(table, "law", true);
@@ -157,15 +160,15 @@ LawCard read_law_card(const Table& table) {
       card.parameters[entry.key] = parameter_text(parameters, entry);
     }
   }
-  if (const Table* validity = core::section(table, "validity"))
-    for (const auto& entry : validity->entries)
-      if (entry.key == "delta_bar") {
-        const auto ends = numbers_at(*validity, entry);
-        if (ends.size() != 2 || !(ends[0] < ends[1]))
-          throw InvalidInput(
-              fmt::format("{} must be two growing numbers", core::place(*validity, entry.key)));
-        card.delta_bar = {ends[0], ends[1]};
-      }
+  if (const Table* validity = core::section(table, "validity")) {
+    core::refuse_unknown_keys(*validity, std::vector<std::string>{"delta_bar"});
+    for (const auto& entry : validity->entries) {
+      const auto ends = numbers_at(*validity, entry);
+      if (ends.size() != 2 || !(ends[0] < ends[1]))
+        throw InvalidInput(fmt::format("{} must be two growing numbers", core::place(*validity, entry.key)));
+      card.delta_bar = {ends[0], ends[1]};
+    }
+  }
   if (const Table* errors = core::section(table, "error"))
     for (const auto& entry : errors->entries) card.errors.emplace_back(entry.key, numeric(*errors, entry));
   if (const Table* provenance = core::section(table, "provenance"))

@@ -99,6 +99,21 @@ std::set<std::size_t> choose_knots(const Points& p, const UnloadingFits& unloadi
   return knots;
 }
 
+/// Of every row of loading, so that one without force tells.
+double r_squared_of(const press::Curve& curve, const law::Law& law, double per_F) {
+  Samples rows;
+  std::vector<double> of_law;
+  for (const auto& point : curve.points) {
+    if (point.branch != press::Branch::loading || !(point.delta_bar > 0)) continue;
+    if (rows.size() && !(point.delta_bar > rows.delta_bar.back())) continue;
+    rows.delta_bar.push_back(point.delta_bar);
+    rows.F_bar.push_back(point.F_bar);
+    of_law.push_back(law::evaluate(law, {}, point.delta_bar).force * per_F);
+  }
+  rows.weight = trapezoid_weights(rows.delta_bar, 0);
+  return r_squared(rows, of_law);
+}
+
 /// The law against the curve, on its loading and along its unloading branches.
 PressedErrors errors_of(const press::Curve& curve, const Points& p, const law::PressedMaterial& m,
                         bool radius_measured) {
@@ -117,6 +132,7 @@ PressedErrors errors_of(const press::Curve& curve, const Points& p, const law::P
     da2 += weight[i] * (now.contact_radius - p.a[i]) * (now.contact_radius - p.a[i]);
   }
   e.relative_l2 = std::sqrt(dF2 / F2);
+  e.r_squared = r_squared_of(curve, law, per_F);
   if (radius_measured) e.radius = std::sqrt(da2 / a2);
   // Work given back by each branch, by the trapezoid rule on its own points for both.
   std::set<int> ids;

@@ -14,6 +14,7 @@ struct PressedErrors {
   double relative_l2 = 0; ///< of the force over the loading
   double worst = 0;       ///< largest relative error of the force from delta_bar = 0.005 on
   double radius = 0;      ///< relative L2 of the contact radius; 0 where the curve has none
+  double r_squared = 0;   ///< of the force, where it is not above zero too
   double unload_work = 0; ///< largest error of the work that an unloading branch gives back, over that work
 };
 

@@ -319,6 +319,9 @@ class Converter {
 } // namespace
 
 Converted convert(const DeckMaterial& deck, const DeckUnits& units, std::optional<double> rho_r0) {
+  if (rho_r0 && !deck.find("CAP PLASTICITY"))
+    throw core::InvalidInput(
+        fmt::format("{}: rho_r0 goes with *CAP PLASTICITY, which is not there", deck.file));
   return Converter(deck, units, rho_r0).run();
 }
 

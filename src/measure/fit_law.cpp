@@ -133,8 +133,15 @@ Fitting fit_law(const InputCurve& input, const FitOptions& o, const fit::Say& sa
   };
   if (o.law == "agarwal") keep_within_bounds(fit::fit_agarwal(curve));
   else if (o.law == "shahin") keep_within_bounds(fit::fit_shahin(curve));
-  else if (o.law == "pressed") keep(fit::fit_pressed(curve, fit::unloading_of(curve, say)));
-  else if (o.law == "wang") {
+  else if (o.law == "pressed") {
+    fit::PressedFit fitted = fit::fit_pressed(curve, fit::unloading_of(curve, say));
+    if (input.measured) {
+      fit::Claim claim = claim_of(curve, file);
+      claim.R2 = fitted.errors.r_squared;
+      f.doubts = pass(doubts_about(claim), o.despite_doubts);
+    }
+    keep(std::move(fitted));
+  } else if (o.law == "wang") {
     fit::WangFit fitted = fit::fit_wang(curve);
     for (const auto& sentence : fitted.notes) say(fmt::format("note: {}", sentence));
     keep(std::move(fitted));

@@ -26,7 +26,8 @@ struct Places {
 /// InvalidInput where a list goes beyond an end.
 void check_within(const std::vector<double>&, double end, const std::string& place,
                   std::string_view end_key = "delta_bar_max");
-void check_path(const ByOverlap&, const Places&);
+/// `resolved`: delta/R0 from which on the mesh has the force of an elastic contact to a few per cent.
+void check_path(const ByOverlap&, const Places&, double resolved);
 Halts halts_of(const ByOverlap&);
 
 // In the file of each experiment. The null pointer stands for its type.

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 #include <type_traits>
@@ -135,6 +136,15 @@ void check_fields(const std::vector<Field<X>>& fields, const X& e, std::string_v
   }
 }
 
+/// Forces and work, R^2 sigma and R^3 sigma, have to be numbers.
+void check_size(const Case& c, std::string_view place) {
+  const double sigma = material::reference_stress(c.material.model);
+  if (std::isnormal(std::pow(c.radius_m, 2) * sigma) && std::isnormal(std::pow(c.radius_m, 3) * sigma))
+    return;
+  throw core::InvalidInput(fmt::format("{} = {}: forces of a particle of this size are no numbers", place,
+                                       core::number_text(c.radius_m)));
+}
+
 } // namespace
 
 Case read_case(std::string_view path) { return read_case(core::read_toml(path)); }
@@ -147,6 +157,7 @@ Case read_case(const Table& card) {
   c.experiment = std::visit([&](const auto& e) { return Experiment(read_sections(card, e)); },
                             experiment_named(head.experiment, core::place(card, "experiment")));
   c.material = read_material(card);
+  check_size(c, core::place(card, "radius_m"));
   const Places at{core::section(card, "path"), core::section(card, "output")};
   std::visit([&](const auto& e) { check(e, c.material, at); }, c.experiment);
   return c;
@@ -154,6 +165,7 @@ Case read_case(const Table& card) {
 
 void validate(const Case& c) {
   check_fields(head_fields, Head{1, std::string(name_of(c.experiment)), c.radius_m}, "");
+  check_size(c, "radius_m");
   std::visit(
       [&](const auto& e) {
         const auto& fields = card_fields(&e);
@@ -243,7 +255,11 @@ void check_within(const std::vector<double>& values, double end, const std::stri
                                          core::number_text(values.back()), end_key, core::number_text(end)));
 }
 
-void check_path(const ByOverlap& e, const Places& at) {
+void check_path(const ByOverlap& e, const Places& at, double resolved) {
+  if (e.delta_bar_max < resolved)
+    throw core::InvalidInput(fmt::format(
+        "{} is a contact smaller than this mesh resolves, {} at least; experiment = \"local\" presses it",
+        at.path("delta_bar_max", e.delta_bar_max), core::number_text(resolved)));
   check_within(e.unload_from, e.delta_bar_max, at.path("unload_from"));
   check_within(e.fields_at, e.delta_bar_max, at.output("fields_at"));
 }

@@ -14,6 +14,10 @@
 
 namespace platen::press {
 
+/// delta/R0 from which on the meshes of wedges resolve a contact: of an elastic sphere the force of a die is
+/// 2.2 times Hertz's at 1e-4.
+inline constexpr double confined_resolved = 1e-3;
+
 /// delta_bar at which the cell has the volume of the undeformed particle, 1 - pi/6 (die) and 1 - (pi/6)^{1/3}
 /// (hydrostatic): no pores are left of a particle that keeps its volume.
 inline constexpr double die_zero_porosity = 1 - std::numbers::pi / 6;

@@ -129,13 +129,17 @@ double positive_radius(double radius_m, std::string_view file) {
 }
 
 void read_notes(Curve& curve, const core::Csv& csv, std::optional<double> radius_m) {
-  if (radius_m) curve.radius_m = positive_radius(*radius_m, csv.file);
-  else if (csv.note("radius_m").empty())
+  const bool noted = !csv.note("radius_m").empty();
+  if (!radius_m && !noted)
     throw core::InvalidInput(
         fmt::format("{}: the radius of the particle is missing; give it with --radius_m, or as a "
                     "first line '# radius_m = 1e-3'",
                     csv.file));
-  else curve.radius_m = positive_radius(csv.number_note("radius_m"), csv.file);
+  curve.radius_m = positive_radius(noted ? csv.number_note("radius_m") : *radius_m, csv.file);
+  if (radius_m && !(std::abs(*radius_m - curve.radius_m) <= 1e-9 * curve.radius_m))
+    throw core::InvalidInput(fmt::format("{} says radius_m = {}, and {} was given; leave one of them out",
+                                         csv.file, core::number_text(curve.radius_m),
+                                         core::number_text(*radius_m)));
   const auto number = [&](std::string_view key) { return csv.note(key).empty() ? 0 : csv.number_note(key); };
   curve.sigma_ref_Pa = number("sigma_ref_Pa");
   curve.E_Pa = number("E_Pa");

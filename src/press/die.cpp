@@ -13,7 +13,7 @@ const CardFields<Die>& card_fields(const Die*) {
 // How far the cell may close depends on the material.
 void check(const Die& e, const material::Material& material, const Places& at) {
   check_cell(material, {e.delta_bar_max, 0, 0}, at.path("delta_bar_max", e.delta_bar_max));
-  check_path(e, at);
+  check_path(e, at, confined_resolved);
 }
 
 WedgePlan plan(const Die& e) {

@@ -15,7 +15,7 @@ const CardFields<Hydrostatic>& card_fields(const Hydrostatic*) {
 void check(const Hydrostatic& e, const material::Material& material, const Places& at) {
   check_cell(material, {e.delta_bar_max, e.delta_bar_max, e.delta_bar_max},
              at.path("delta_bar_max", e.delta_bar_max));
-  check_path(e, at);
+  check_path(e, at, confined_resolved);
 }
 
 WedgePlan plan(const Hydrostatic& e) {

@@ -13,7 +13,8 @@ const CardFields<Simple>& card_fields(const Simple*) {
   return fields;
 }
 
-void check(const Simple& e, const material::Material&, const Places& at) { check_path(e, at); }
+// Of an elastic sphere the force is 4 % above Hertz's at 1e-4, 18 % at 1e-5, 71 % at 1e-6.
+void check(const Simple& e, const material::Material&, const Places& at) { check_path(e, at, 1e-4); }
 
 namespace {
 Motion upright() {

@@ -291,6 +291,8 @@ answers 0 ' 636 kg/m^3' "$platen" export lammps "${hertz_card[@]}" --radius 1e-4
 answers 2 'no density_kg_per_m3' "$platen" export lammps "${hertz_card[@]}" --radius 1e-4 --material weightless.toml
 answers 2 'positive number of kg/m^3' "$platen" export lammps "${hertz_card[@]}" --radius 1e-4
 answers 2 'positive number of metres' "$platen" export lammps "${hertz_card[@]}" --radius -1 --density 636
+answers 2 'a number in (0, 1]' "$platen" export lammps hertz.toml --delta-bar -1 --radius 1e-4 --density 636
+answers 2 'is no number' "$platen" export lammps "${hertz_card[@]}" --radius 1e200 --density 636
 both=(hertz.toml hertz.toml)
 answers 0 'with type 1' "$platen" export lammps "${both[@]}" --radius 1e-4 2e-4 --density 636 1500
 answers 2 'once for each' "$platen" export lammps "${both[@]}" hertz.toml --radius 1e-4 2e-4 --density 636
@@ -473,6 +475,9 @@ answers 2 'hardening is of von-mises, this is vmdc' "$platen" convert base-case 
 answers 2 "did you mean 'ludwik'?" "$platen" convert lead-hollomon --hardening ludwick
 answers 2 'no hollomon law follows this stress' "$platen" convert von-mises-100 --hardening hollomon
 answers 2 '--strain 0.5 is not of the form FROM:TO' "$platen" convert lead-hollomon --hardening ludwik --strain 0.5
+answers 2 '--strain requires --hardening' "$platen" convert lead-ludwik --strain 0:0.5 --units si
+answers 2 '--rho_r0 is of an Abaqus input file' "$platen" convert lead-ludwik --units si --rho_r0 0.3
+answers 2 '--material is of an Abaqus input file' "$platen" convert lead-hollomon --hardening ludwik --material lead
 answers 2 '--units excludes --hardening' "$platen" convert lead-hollomon --hardening ludwik --units si
 answers 2 'they must ascend' "$platen" convert lead-hollomon --hardening ludwik --strain 1:0.5
 answers 2 "did you mean 'lead-hollomon'?" "$platen" convert led-hollomon --hardening ludwik

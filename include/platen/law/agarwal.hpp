@@ -227,6 +227,7 @@ inline Agarwal prepare_agarwal(const AgarwalMaterial& m1, const Body& one, const
     }
     law.at_cap.work += law.volumetric_work(law.x_cap);
   }
+  law.x_valid = flattened_to(law.x_valid, law.pair, m1.sigma_y, m2.sigma_y);
   require_rising(name, curve, curve.x_y, law.x_cap);
   const auto end = curve.at(law.x_cap);
   law.cap = {end.F, end.slope, end.a};

@@ -231,6 +231,13 @@ inline auto strength(const EdmansSinkaMaterial& m) {
   return std::make_tuple(m.sigma_ref * m.k * m.delta_t, m.sigma_ref, m.k, m.a, m.corner, m.variant);
 }
 
+/// A straight beginning is above Hertz's force for a while. Parameters that never come down to it are of no
+/// material. Pressed elastic spheres (pool elastic) carry 1.25 times Hertz's force at x = 0.1.
+inline void bound_by_elasticity(EdmansSinka<double>& law) {
+  const auto force = [&](double gamma) { return law.loading(gamma).F / 1.5; };
+  if (below_hertz_from(law.pair, 0.1 / law.pair.x_per_gamma, force) == infinity) law.x_valid = 0;
+}
+
 } // namespace detail
 
 /// Two bodies of radii R1 and R2. Unlike materials: the softer side's loading curve, both sides' elasticity.
@@ -251,10 +258,10 @@ inline EdmansSinka<double> prepare(const EdmansSinkaMaterial& m1, double R1, con
   law.radius_log_slope = soft.radii > 0
                              ? law.radius.least_log_slope()
                              : edmans_sinka_radius.least_log_slope(EdmansSinkaCurve<double>::x_end);
-  const double R_soft = &soft == &m1 ? R1 : R2, R_hard = &soft == &m1 ? R2 : R1;
-  if (strength1 != strength2 && R_hard < R_soft) law.x_valid = x_dented;
+  law.x_valid = flattened_to(law.x_valid, law.pair, strength1, strength2);
   law.force_scale = std::numbers::pi * law.pair.R_e * law.pair.R_e * soft.sigma_ref;
   law.gamma_limit = 1000 / law.pair.x_per_gamma;
+  detail::bound_by_elasticity(law);
   for (int i = 0; i < soft.unloadings; ++i) {
     law.unload_x[i] = soft.unload_delta_bar[i];
     law.alpha[i] = soft.alpha[i];

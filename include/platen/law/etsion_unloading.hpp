@@ -22,7 +22,8 @@ struct EtsionUnloadingMaterial : KogutEtsionMaterial {
     all.name = "etsion-unloading";
     all.title = "kogut-etsion with the flattened sphere's unloading";
     all.source = "Etsion, Kligerman & Kadin (2005), closed form";
-    all.validity = "to 110 overlaps of first yield; published: not where it creates energy";
+    all.validity = "to 110 overlaps of first yield, sigma_y (1 - nu^2)/E <= 0.01; published: not where it "
+                   "creates energy";
     return all;
   }
   static EtsionUnloadingMaterial read(const Reader& p) { return {KogutEtsionMaterial::read(p)}; }

@@ -133,6 +133,8 @@ PLATEN_CATALOGUE Law make_law(std::string_view name, std::string_view variant, c
   const Reader all = one.reader();
   const double R = all("radius_m"), R2 = all.given("radius2_m") ? all("radius2_m") : R;
   const bool on_plane = all.word("against") == "plane";
+  if (on_plane && all.given("radius2_m"))
+    throw BadParameter(std::string(name) + ": radius2_m has no meaning against a rigid plane");
   LawChoice two = one;
   for (LawChoice* body : {&one, &two})
     for (const char* key : {"radius_m", "radius2_m", "against"}) body->parameters.erase(key);
@@ -148,8 +150,6 @@ PLATEN_CATALOGUE Law make_law(std::string_view name, std::string_view variant, c
     (void)all(key);
   }
   if (!on_plane) return make_law(one, R, two, R2);
-  if (all.given("radius2_m"))
-    throw BadParameter(std::string(name) + ": radius2_m has no meaning against a rigid plane");
   return make_law_on_plane(one, R);
 }
 

@@ -87,7 +87,7 @@ struct JacksonGreen {
   double gamma_elastic = 0;
   double gamma_limit = 0;
   bool material_in_range = true;
-  double omega_valid = 0; ///< a/R = 0.41
+  double omega_valid = 0; ///< a/R = 0.41, less for a dent
   JacksonGreenCurve<double> curve;
   LoadingTable force; ///< F/F_c against omega, from the end of the elastic branch
   Loading<double> cap;
@@ -184,7 +184,9 @@ inline JacksonGreen prepare(const JacksonGreenMaterial& m1, double R1, const Jac
   law.F_c = 4.0 / 3 * law.pair.E_star * law.gamma_c * law.a_c;
   law.gamma_limit = 1000 / law.pair.x_per_gamma;
   const double omega_t = JacksonGreenCurve<double>::omega_t;
-  law.omega_valid = omega_t * std::pow(0.41 * 0.41 / (x_c * omega_t), 1 / (1 + law.curve.B));
+  const double omega_end = omega_t * std::pow(0.41 * 0.41 / (x_c * omega_t), 1 / (1 + law.curve.B));
+  law.omega_valid =
+      flattened_to(omega_end * x_c, law.pair, factor(m1) * m1.sigma_y, factor(m2) * m2.sigma_y) / x_c;
 
   const bool published = soft.variant == JointVariant::published;
   const double start = published ? omega_t : detail::jackson_green_crossing(law.curve);

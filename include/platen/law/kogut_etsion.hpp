@@ -15,7 +15,7 @@
 //   joined     the least of the four, which is continuous; differs by those jumps, near them
 // Where full plasticity, as joined, begins beyond omega = 176 (nu < 0.23) the area would fall by up to 10 %
 // and unloading give back more than was put in: it is held until reached again. The paper unloads nowhere:
-// generic unloading. Valid to omega = 110.
+// generic unloading. Valid to omega = 110; sigma_y/E' up to 0.01 (ours, as of jackson_green.hpp).
 
 #include "platen/law/contact.hpp"
 #include "platen/law/pair.hpp"
@@ -45,7 +45,7 @@ struct KogutEtsionMaterial {
     return {"kogut-etsion",
             "elastic, perfectly plastic spheres, power laws in units of first yield",
             "Kogut & Etsion (2002); generic unloading",
-            "to 110 overlaps of first yield",
+            "to 110 overlaps of first yield, sigma_y (1 - nu^2)/E <= 0.01",
             "joined|published",
             {youngs_modulus(), poissons_ratio(), yield_stress()}};
   }
@@ -67,6 +67,7 @@ template <class Real = double> struct KogutEtsion {
   std::array<Piece, 5> pieces;
   Real gamma_elastic{};
   Real gamma_limit{};
+  bool material_in_range = true;
 
   static constexpr double omega_valid = 110;
 
@@ -93,7 +94,7 @@ template <class Real = double> struct KogutEtsion {
   }
 
   [[nodiscard]] PLATEN_HOT bool in_range(const Real& gamma) const {
-    return gamma <= Real(omega_valid) * gamma_c;
+    return material_in_range && gamma <= Real(omega_valid) * gamma_c;
   }
 
   [[nodiscard]] PLATEN_FUNCTION Real work(const Real& gamma) const {
@@ -131,6 +132,7 @@ inline KogutEtsion<double> prepare_kogut_etsion(std::string_view name, const Kog
   law.gamma_c = std::pow(std::numbers::pi * peak_pressure(soft) / (2 * law.pair.E_star), 2) / law.pair.A;
   law.F_c = 4.0 / 3 * law.pair.E_star * law.gamma_c * std::sqrt(law.gamma_c / law.pair.A);
   law.gamma_limit = 1000 / law.pair.x_per_gamma;
+  law.material_in_range = soft.sigma_y <= 0.01 * law.pair.E_star * law.pair.sharing();
   const double full = 3 / factor(soft);
   auto& p = law.pieces;
   p[0] = {0, 1, 1.5, 1, 1};

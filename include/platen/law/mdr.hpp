@@ -65,7 +65,8 @@ struct Mdr {
   MdrVariant variant = MdrVariant::stiffened;
 
   static constexpr Shape shape = Shape::indenter;
-  static constexpr double x_valid = 0.75;
+  static constexpr double x_end = 0.75; ///< from here on the tangent
+  double x_valid = x_end;
   static constexpr double least_rate = std::numbers::pi / 2; ///< times gamma_max [-]
 
   [[nodiscard]] PLATEN_FUNCTION double p_Y(double x) const {
@@ -77,13 +78,13 @@ struct Mdr {
       const double a = std::sqrt(gamma / pair.A), slope = 2 * pair.E_star * a;
       return {gamma * slope / 1.5, slope, a, 1.5, 0.5};
     }
-    const double all = gamma * pair.x_per_gamma, x = smaller(all, double(x_valid));
+    const double all = gamma * pair.x_per_gamma, x = smaller(all, double(x_end));
     const double a2 = x * (2 - x) + c, p = p_Y(x), scale = std::numbers::pi * flat.R * flat.R;
     const double slope = scale * ((2 - 2 * x) * p - 4.4 * a2 * (p - sigma_y));
     return {scale * a2 * p + slope * (all - x), slope * pair.x_per_gamma, flat.R * std::sqrt(a2), 2, 0};
   }
 
-  [[nodiscard]] double gamma_end() const { return x_valid / pair.x_per_gamma; }
+  [[nodiscard]] double gamma_end() const { return x_end / pair.x_per_gamma; }
 
   [[nodiscard]] PLATEN_HOT bool in_range(double gamma) const {
     if (gamma * pair.x_per_gamma > x_valid) return false;
@@ -114,13 +115,12 @@ struct Mdr {
 
   [[nodiscard]] PLATEN_FUNCTION double work(double gamma) const {
     if (gamma <= gamma_elastic) return 0.4 * gamma * loading(gamma).F;
-    const double x_Y = gamma_elastic * pair.x_per_gamma,
-                 x = smaller(gamma * pair.x_per_gamma, double(x_valid));
+    const double x_Y = gamma_elastic * pair.x_per_gamma, x = smaller(gamma * pair.x_per_gamma, double(x_end));
     double W = 0.4 * gamma_elastic * loading(gamma_elastic).F +
                std::numbers::pi * flat.R * flat.R * sigma_y * work_bar(x_Y, x - x_Y) / pair.x_per_gamma;
-    const double more = gamma - x_valid / pair.x_per_gamma;
+    const double more = gamma - x_end / pair.x_per_gamma;
     if (more > 0) {
-      const Loading<double> end = loading(x_valid / pair.x_per_gamma);
+      const Loading<double> end = loading(x_end / pair.x_per_gamma);
       W += more * (end.F + end.slope * more / 2);
     }
     return W;
@@ -136,7 +136,7 @@ struct Mdr {
 
   [[nodiscard]] PLATEN_HOT Unloading<double> unloading(double gamma, const Loading<double>& peak) const {
     if (gamma <= gamma_elastic) return {0, 1.5}; // never followed: elastic
-    const double x = smaller(gamma * pair.x_per_gamma, double(x_valid));
+    const double x = smaller(gamma * pair.x_per_gamma, double(x_end));
     const double rate = flat.delta_per_gamma / recovered(x, peak.a);
     const double least = variant == MdrVariant::stiffened ? least_rate / gamma : 0;
     return {larger(rate, least), 0.75 * std::numbers::pi - 1}; // the curve returns 4/(3 pi) F_max/rate
@@ -170,10 +170,11 @@ inline Mdr prepare(const MdrMaterial& m1, double R1, const MdrMaterial& m2, doub
   law.nu = soft.nu;
   law.variant = soft.variant;
   law.gamma_limit = 1000 / law.pair.x_per_gamma;
+  law.x_valid = flattened_to(Mdr::x_end, law.pair, m1.sigma_y, m2.sigma_y);
   require(name, "E/((1 - nu^2) sigma_y) of a rigid flat's sphere", law.flat.E / soft.sigma_y,
           {10, infinity, false, true});
   const double hertz = 4 * law.flat.E / (3 * std::numbers::pi); // mean pressure over sqrt(x)
-  double low = 0, high = law.x_valid;
+  double low = 0, high = Mdr::x_end;
   for (int i = 0; i < 200; ++i) {
     const double x = 0.5 * (low + high);
     (hertz * std::sqrt(x) < law.p_Y(x) ? low : high) = x;

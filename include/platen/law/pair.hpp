@@ -64,6 +64,32 @@ using Pair = BasicPair<double>;
 /// dent does not. Here H of Jackson & Green, 2.84 sigma_y (1 - exp(-0.82 (a/R)^-0.7)), has lost 8 %.
 inline constexpr double x_dented = 0.02;
 
+/// To where in x the curve of a flattened sphere, made to `x_valid`, holds between bodies of these strengths.
+template <class Strength>
+inline double flattened_to(double x_valid, const Pair& pair, const Strength& one, const Strength& two) {
+  const double c1 = pair.body[0].curvature, c2 = pair.body[1].curvature;
+  const bool dent = (one < two && c1 < c2) || (two < one && c2 < c1);
+  return dent && x_dented < x_valid ? x_dented : x_valid;
+}
+
+/// From which overlap on, up to `end`, the force(gamma) of a law without an elastic beginning is no more than
+/// Hertz's: below, it is more than the bodies can carry. infinity: it is more up to the end. [m]
+template <class Force> double below_hertz_from(const Pair& pair, double end, const Force& force) {
+  const auto below = [&](double gamma) {
+    return force(gamma) <= 4.0 / 3 * pair.E_star * gamma * std::sqrt(gamma / pair.A);
+  };
+  double low = 0, high = end * 0x1p-40;
+  for (; !below(high); high *= 1.1) {
+    low = high;
+    if (high >= end) return infinity;
+  }
+  for (int i = 0; low > 0 && i < 50; ++i) {
+    const double middle = std::sqrt(low * high);
+    (below(middle) ? high : low) = middle;
+  }
+  return low > 0 ? high : 0;
+}
+
 inline Pair make_pair(const Body& one, const Body& two) {
   for (const Body& side : {one, two}) {
     require("contact", "1/R", side.curvature, non_negative);

@@ -30,7 +30,7 @@ struct ShahinMaterial {
         "shahin",
         "rigid-plastic spheres with power-law hardening, large deformation",
         "Shahin's thesis, (3.45)-(3.59)",
-        "0 <= 1/m <= 1; delta/R <= 0.5, in a cell until it is full",
+        "0 <= 1/m <= 1; force below Hertz's; delta/R <= 0.5, in a cell until it is full",
         "published|hardening-minimum",
         with_coefficients({youngs_modulus(), poissons_ratio(), strength_coefficient(), hardening_exponent()},
                           shahin_coefficients),
@@ -52,6 +52,7 @@ struct Shahin {
   double gamma_limit = 0;
   ShahinCurve<double> curve; ///< exact; the tables follow it to 1e-4
   double x_valid = 0.5;
+  double x_elastic = 0;          ///< below, the force is above Hertz's
   double x_cap = 0.6;            ///< from here on the tangent
   double first_log_slope = 1.25; ///< below the table: a power of x
   Loading<double> first;         ///< F_bar at the start of the table
@@ -101,7 +102,10 @@ struct Shahin {
   [[nodiscard]] std::vector<double> kinks() const { return {curve.x_min / pair.x_per_gamma}; }
   [[nodiscard]] double gamma_end() const { return x_cap / pair.x_per_gamma; }
 
-  [[nodiscard]] PLATEN_HOT bool in_range(double gamma) const { return gamma * pair.x_per_gamma <= x_valid; }
+  [[nodiscard]] PLATEN_HOT bool in_range(double gamma) const {
+    const double x = gamma * pair.x_per_gamma;
+    return x_elastic <= x && x <= x_valid;
+  }
 
   /// Work up to x.
   [[nodiscard]] PLATEN_FUNCTION double work_bar(double x) const {
@@ -172,6 +176,7 @@ inline Shahin prepare_shahin(const ShahinMaterial& m1, const Body& one, const Sh
     law.at_cap = law.closure.end;
     law.x_valid = law.x_cap = law.closure.x_high;
   }
+  law.x_valid = flattened_to(law.x_valid, law.pair, m1.kappa, m2.kappa);
   require_rising(name, curve, Shahin::x_table, law.x_cap);
   const auto end = curve.at(law.x_cap);
   law.cap = {end.F, end.slope, end.a};
@@ -180,6 +185,9 @@ inline Shahin prepare_shahin(const ShahinMaterial& m1, const Body& one, const Sh
   };
   law.slopes.make(Shahin::x_table, law.x_cap, slope);
   law.slope_at_cap = slope(law.x_cap) / law.x_cap;
+  law.x_elastic = below_hertz_from(law.pair, law.x_valid / law.pair.x_per_gamma,
+                                   [&](double gamma) { return law.loading(gamma).F; }) *
+                  law.pair.x_per_gamma;
   return law;
 }
 

@@ -27,7 +27,7 @@ struct SimilarityMaterial {
     return {"similarity",
             "rigid-plastic spheres with power-law hardening, small strain",
             "Biwa & Storakers; Shahin (2.4)-(2.8), (B.24)",
-            "delta/R <= 0.03, 0 <= 1/m <= 1",
+            "force below Hertz's; delta/R <= 0.03, 0 <= 1/m <= 1",
             "published|curvature-corrected",
             {youngs_modulus(), poissons_ratio(), strength_coefficient(), hardening_exponent()}};
   }
@@ -45,6 +45,7 @@ template <class Real = double> struct Similarity {
   Real force_scale{};   ///< pi k A^(1/m) kappa_bar [N/m^(2+1/m)]
   Real gamma_elastic{}; ///< 0
   Real gamma_limit{};
+  double x_elastic = 0; ///< below, the force is above Hertz's
   SimilarityVariant variant = SimilarityVariant::published;
 
   static constexpr double x_valid = 0.03;
@@ -67,7 +68,8 @@ template <class Real = double> struct Similarity {
   }
 
   [[nodiscard]] PLATEN_HOT bool in_range(const Real& gamma) const {
-    return gamma * pair.x_per_gamma <= Real(x_valid);
+    const Real x = gamma * pair.x_per_gamma;
+    return Real(x_elastic) <= x && x <= Real(x_valid);
   }
 
   [[nodiscard]] PLATEN_FUNCTION Real work(const Real& gamma) const {
@@ -116,6 +118,9 @@ inline Similarity<double> prepare(const SimilarityMaterial& m1, double R1, const
   require("similarity", "kappa_Pa of the softer side", kappa_bar, positive);
   law.force_scale = std::numbers::pi * k * std::pow(law.pair.A, m1.inverse_m) * kappa_bar;
   law.gamma_limit = 1000 / law.pair.x_per_gamma;
+  law.x_elastic = below_hertz_from(law.pair, law.x_valid / law.pair.x_per_gamma,
+                                   [&](double gamma) { return law.loading(gamma).F; }) *
+                  law.pair.x_per_gamma;
   return law;
 }
 

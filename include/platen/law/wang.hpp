@@ -180,6 +180,10 @@ inline Wang<double> prepare_wang(const WangMaterial& m1, const Body& one, const 
   law.b = from_table ? table.b : soft.b;
   law.m = soft.variant == WangVariant::published ? table.m : soft.m;
   law.n = soft.variant == WangVariant::published ? table.n : soft.n;
+  if (from_table && !(law.a > 0 && law.b >= 1 && law.b <= 3))
+    throw BadParameter(
+        "wang: Table 2 has no law for this rock (a = " + text(law.a) + ", b = " + text(law.b) +
+        "); it holds for E 10-30 GPa, nu 0.1-0.3, phi 20-40 deg, sigma_c 5-50 MPa; give a and b");
   require("wang", "a", law.a, positive);
   require("wang", "b", law.b, {1, 3});
   if (soft.variant != WangVariant::generic) {

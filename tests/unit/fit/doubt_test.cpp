@@ -90,6 +90,8 @@ TEST(Doubt, ABadFitAndAParameterOnItsBoundAreRefusedAndForceKeepsThemAsFlags) {
   ASSERT_EQ(doubts.size(), 2u);
   EXPECT_THROW((void)fit::pass(doubts, false), core::InvalidInput);
   EXPECT_EQ(fit::pass(doubts, true).size(), 2u);
+  claim.R2 = std::nan(""), claim.on_bound = {}; // numbers too large for the fit
+  EXPECT_THROW((void)fit::pass(fit::doubts_about(claim), false), core::InvalidInput);
 }
 
 } // namespace

@@ -78,6 +78,8 @@ TEST_F(LawCard, SaysWhatIsWrongAndWhere) {
   contains(refusal("beta = [1.3, 1.5, 1.6]", "beta = [1.3, 1.5]"), "as many values");
   contains(refusal("k = 4.2\n", ""), "k is missing");
   contains(refusal("k = 4.2", "k = \"stiff\""), "not a number");
+  contains(refusal("platen = 1", "platen = 2"), "the format of the card is 1");
+  contains(refusal("[validity]\ndelta_bar", "[validity]\ndelta_max"), "did you mean 'delta_bar'");
 }
 
 } // namespace

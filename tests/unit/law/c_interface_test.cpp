@@ -63,6 +63,20 @@ TEST(CInterface, GivesWhatTheHeadersGive) {
   }
 }
 
+TEST(CInterface, OfBytesThatAreNoStateSaysSo) { // an infinite overlap once read beyond the table
+  for (const auto& [name, parameters] : examples) {
+    platen_law* law = platen_law_new(name, "", parameters, nullptr, 0);
+    ASSERT_NE(law, nullptr);
+    for (const double top : {double(infinity), 1e305, std::nan(""), -1e-5}) {
+      double state[2] = {0, top};
+      const platen_law_response now = platen_law_evaluate(law, state, 1e-5);
+      EXPECT_TRUE(std::isnan(now.force_N) && !now.in_range) << name << ' ' << top;
+      if (!std::isnan(top)) { EXPECT_EQ(state[1], top); }
+    }
+    platen_law_free(law);
+  }
+}
+
 TEST(CInterface, SaysWhatIsWrong) {
   char why[200] = "";
   EXPECT_EQ(platen_law_new("hertzz", "", "", why, sizeof why), nullptr);
@@ -95,6 +109,10 @@ TEST(Catalogue, RefusesWhatNoLawHereCanBe) {
   says("shahin", "radius_m=1e-3 E_Pa=5e6 nu=0.3 kappa_Pa=6e6 inverse_m=0.3", "stays elastic");
   says("similarity", "radius_m=1e-3 E_Pa=5e6 nu=0.3 kappa_Pa=6e6 inverse_m=0.3", "stays elastic");
   says("hertz", "radius_m=1e-3 E_Pa=1e9 nu=nan", "not a number");
+  says("hertz", "radius_m=1e-3 radius2_m=2e-3 E_Pa=1e9 nu=0.3 against=plane",
+       "radius2_m has no meaning against a rigid plane");
+  says("wang", "radius_m=1e-3 E_Pa=2e11 nu=0.3 phi_deg=30 sigma_c_Pa=1e9",
+       "Table 2 has no law for this rock");
   says("pressed", "radius_m=1e-3 E_Pa=1e9 nu=0.3 sigma_ref_Pa=1e6 delta_bar=1,2 F_bar=1,2 a_bar=1,2",
        "delta_bar");
 }

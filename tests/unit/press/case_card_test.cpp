@@ -63,8 +63,21 @@ TEST(CaseCard, RefusesAPathThatCannotBePressed) {
             "c.toml, line 6: [path] delta_bar_max = 0.51 is not allowed; it must be a number in (0, 0.5]");
   EXPECT_EQ(refusal(head + "[path]\ndelta_bar_max = 0"),
             "c.toml, line 6: [path] delta_bar_max = 0 is not allowed; it must be a number in (0, 0.5]");
+  EXPECT_EQ(
+      refusal(head + "[path]\ndelta_bar_max = 1e-6"),
+      "c.toml, line 6: [path] delta_bar_max = 1e-6 is a contact smaller than this mesh resolves, 1e-4 at "
+      "least; experiment = \"local\" presses it");
   EXPECT_EQ(refusal(head + "[path]\ndelta_bar_max = 0.1\n[output]\nfields_at = [0.2]"),
             "c.toml, line 8: [output] fields_at goes to 0.2, beyond delta_bar_max = 0.1");
+}
+
+TEST(CaseCard, RefusesAParticleWhoseForcesAreNoNumbers) {
+  for (const char* R : {"1e300", "1e-300", "1e-120"})
+    EXPECT_NE(refusal("platen = 1\nexperiment = \"simple\"\nmaterial = \"base-case\"\nradius_m = " +
+                      std::string(R) + "\n")
+                  .find("are no numbers"),
+              std::string::npos)
+        << R;
 }
 
 TEST(CaseCard, RefusesAForceInASimplePress) {

@@ -67,6 +67,8 @@ TEST(CurveCsv, MeasuredWithTwoColumnsNeedsARadius) {
   EXPECT_DOUBLE_EQ(c.points[1].delta_bar, 0.01);
   EXPECT_EQ(c.points[1].force_N, 0.25);
   EXPECT_NE(refusal(measured).find("give it with --radius_m"), std::string::npos);
+  EXPECT_NO_THROW((void)parse_curve("# radius_m = 1e-3\n" + measured, "c.csv", 1e-3));
+  EXPECT_THROW((void)parse_curve("# radius_m = 1e-3\n" + measured, "c.csv", 2e-3), core::InvalidInput);
   EXPECT_NE(refusal("# radius_m = -1\n" + measured).find("must be > 0"), std::string::npos);
 }
 
