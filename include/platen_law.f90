@@ -49,6 +49,7 @@ contains
     character(kind=c_char, len=1000) :: why
     character(:), allocatable :: section, key, law, variant, all
     integer :: unit, wrong, equals
+    logical :: opened
     made = c_null_ptr
     message = ''
     section = ''
@@ -56,7 +57,8 @@ contains
     variant = ''
     all = parameters
     open (newunit=unit, file=card, status='old', action='read', iostat=wrong)
-    if (wrong /= 0) message = 'cannot read the law card '//card
+    opened = wrong == 0
+    if (.not. opened) message = 'cannot read the law card '//card
     do while (wrong == 0)
       read (unit, '(a)', iostat=wrong) line
       if (wrong /= 0) exit
@@ -78,7 +80,7 @@ contains
       if (line(longest:) /= '') message = card//': a line is too long'
       if (message /= '') exit
     end do
-    if (unit /= -1) close (unit)
+    if (opened) close (unit)
     if (message == '' .and. law == '') message = card//': law is missing'
     if (message /= '') return
     made = platen_law_new(law//c_null_char, variant//c_null_char, all//c_null_char, why, len(why, c_size_t))

@@ -1,9 +1,7 @@
 ! Platen's laws as normal forces of MFiX-DEM. UNTESTED INSIDE MFiX: compiled against a stub of its variables alone
-! (tests/downstream/adapters), where forces are those of `platen eval`. Which lines of MFiX call this, and what stands in
-! platen.dat: docs/how-to/other-dem-codes.md. Needs include/platen_law.f90.
-!
-! Memory is kept under the global numbers of the bodies: new lists of neighbours, sorting and restarts leave it as it is. A
-! contact forgets when its bodies part, as in LAMMPS.
+! (tests/downstream/adapters), where forces are those of `platen eval`. Needs include/platen_law.f90. Which lines of MFiX
+! call this, and what stands in platen.dat: docs/how-to/other-dem-codes.md. Memory is kept under the global numbers of the
+! bodies: new lists of neighbours, sorting and restarts leave it as it is. It ends when they part, as in LAMMPS.
 module platen_mfix
   use, intrinsic :: iso_c_binding
   use, intrinsic :: iso_fortran_env, only: error_unit, int64
@@ -120,7 +118,7 @@ contains
     integer, intent(in) :: phase
     double precision, intent(in) :: R
     character(:), allocatable :: why
-    character(60) :: radii
+    character(80) :: radii
     integer :: q, one
     if (radius(phase) > 0) call stop_with('particles of more than one radius are of phase', [phase])
     if (all(rules(:, phase)%first == 0)) call stop_with('platen.dat has no line for phase', [phase])
@@ -154,7 +152,6 @@ contains
       line = line(:index(line//'#', '#') - 1)
       if (line == '') cycle
       r = rule()
-      second = ''
       other = 0
       read (line, *, iostat=wrong) r%first, second, r%card, r%parameters ! the last may be missing
       if (wrong <= 0 .and. second /= 'wall') read (second, *, iostat=wrong) other
