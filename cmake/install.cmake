@@ -19,7 +19,8 @@ function(platen_install_laws)
   include(CMakePackageConfigHelpers)
   install(TARGETS platen_law platen_law_c EXPORT platen ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT law)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/include/platen DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT law)
-  install(FILES ${PROJECT_SOURCE_DIR}/include/platen_law.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT law)
+  install(FILES ${PROJECT_SOURCE_DIR}/include/platen_law.h ${PROJECT_SOURCE_DIR}/include/platen_law.f90
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT law)
 
   set(package ${CMAKE_INSTALL_LIBDIR}/cmake/platen)
   install(EXPORT platen NAMESPACE platen:: DESTINATION ${package} FILE platenTargets.cmake COMPONENT law)

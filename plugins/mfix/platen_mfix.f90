@@ -80,7 +80,7 @@ contains
     if (.not. c_associated(laws(other, phase))) call stop_with('platen.dat has no line for phases (0: walls)', [phase, other])
     now = platen_law_evaluate(laws(other, phase), it%state, overlap)
     it%last = step
-    etan = merge(etan*sqrt(5*now%stiffness_N_per_m/(6*kn)), 0d0, now%force_N > 0)
+    etan = etan*sqrt(5*now%stiffness_N_per_m/(6*kn))
     kn = now%force_N/overlap
   end subroutine
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Installs the laws into an empty folder and builds a ten-line C++ and a ten-line C program against them, by find_package,
+# Installs the laws into an empty folder and builds ten-line programs in C++, C and Fortran against them, by find_package,
 # by pkg-config, and with the source included in their project; all must print the force of equation (6):
 # pi R^2 sigma_ref k delta_t exp(a (0.2 - delta_t)) = 15.026167 N, on loading (1).
 # Usage: find_package.sh CMAKE BUILD_FOLDER
@@ -37,3 +37,7 @@ command -v pkg-config >/dev/null || exit 0
 flags() { PKG_CONFIG_PATH=$(dirname "$(find "$work/prefix" -name platen.pc)") pkg-config "$@" platen; }
 cc "$here/ten_lines.c" $(flags --cflags --libs) -o "$work/by_pkg_config"
 judge pkg-config "$work/by_pkg_config"
+
+fortran=$(command -v gfortran || command -v gfortran-12) || exit 0
+"$fortran" -std=f2008 -J "$work" "$work/prefix/include/platen_law.f90" "$here/ten_lines.f90" $(flags --libs) -o "$work/fortran"
+judge Fortran "$work/fortran"
