@@ -187,7 +187,7 @@ PLATEN_HOT BasicResponse<Real> evaluate(const Law& law, const BasicState<Real>& 
   const Real gamma = beyond ? Real(law.gamma_limit) : overlap;
   const Real gamma_max = larger(gamma, old.gamma_max);
   now.state = {gamma, gamma_max};
-  now.in_range = !beyond && law.in_range(gamma_max);
+  now.in_range = !(Real(0) < gamma_max) || (!beyond && law.in_range(gamma_max));
 
   const bool elastic = gamma_max <= law.gamma_elastic;
   const Real top = elastic ? gamma : gamma_max; // where the loading curve is left

@@ -55,6 +55,10 @@ struct OwnPair {
   OwnPair(const JoinedSide& side_, const Body& body, double A)
       : side(side_), E_flat(1 / (body.compliance * (1 - body.nu * body.nu))),
         L(std::min(1 / body.curvature, 2 / A)), curvature(body.curvature) {}
+
+  [[nodiscard]] bool in_range(double x) const {
+    return !side.table || (x <= side.x_valid && side.table->in_range(x));
+  }
 };
 
 /// It at one overlap; a rigid body has none.
@@ -114,7 +118,8 @@ inline KnotCurve join(const Pair& pair, const JoinedSide& side1, const JoinedSid
   const double square = pair.R_e * pair.R_e, k1 = 1 / (one.L * pair.A), k2 = 1 / (two.L * pair.A);
 
   std::vector<Knot> knots;
-  double x_valid = infinity, partner = 0;
+  InRange valid{infinity, infinity};
+  double partner = 0;
   const double low = std::min({0x1p-14, table1.x_first, table2 ? table2->x_first : 1.0});
   constexpr int per_octave = 24;
   // Their radii differ by a factor of 2 at most, x of elastic ones by 2.5.
@@ -143,18 +148,16 @@ inline KnotCurve join(const Pair& pair, const JoinedSide& side1, const JoinedSid
     const double compliance = a.compliance + b.compliance,
                  alpha = (a.compliance * a.alpha + b.compliance * b.alpha) / compliance;
     knots.push_back({x, F / square, std::sqrt(area / square), pair.A * std::sqrt(area) / compliance, alpha});
-    if (x_valid < infinity) continue;
-    if (a.x > one.side.x_valid || b.x > two.side.x_valid ||
-        (x > x_dented && detail::dents(one, two, F / square, x)))
-      x_valid = x;
+    const bool in_range =
+        one.in_range(a.x) && two.in_range(b.x) && !(x > x_dented && detail::dents(one, two, F / square, x));
+    if (in_range && !(valid.from < infinity)) valid.from = knots.size() == 1 ? 0 : x;
+    if (!in_range && valid.from < infinity) valid.to = std::min(valid.to, x);
   }
   if (knots.size() < 4) throw BadParameter("the two laws share no range of forces");
-  x_valid = std::min(x_valid, knots.back().x);
-  for (const Table* table : {&table1, table2})
-    if (table && !table->in_range(1e-9)) x_valid = 0;
+  valid.to = std::min(valid.to, knots.back().x);
   const bool elastic = table1.x_elastic > 0 && (!table2 || table2->x_elastic > 0);
   const double n_first = std::log(knots[1].F / knots[0].F) / std::log(knots[1].x / knots[0].x);
-  return {pair, knots, std::abs(n_first - 1.5) < 1e-3 ? 1.5 : n_first, elastic, x_valid};
+  return {pair, knots, std::abs(n_first - 1.5) < 1e-3 ? 1.5 : n_first, elastic, valid};
 }
 
 } // namespace platen::law

@@ -92,17 +92,22 @@ struct Knot {
   double alpha = 1.5; ///< exponent of unloading
 };
 
+/// Overlaps x for which a curve holds.
+struct InRange {
+  double from = 0, to = 0;
+};
+
 /// The ContactLaw of such knots.
 class KnotCurve {
  public:
   using Scalar = double;
   Pair pair;
   double gamma_elastic = 0, gamma_limit = 0;
-  double x_valid = 0; ///< in range up to here
+  InRange valid;
 
   /// `n_first`: exponent of the force below the first knot; `elastic`: unloading retraces it there.
-  KnotCurve(const Pair& pair_, const std::vector<Knot>& knots, double n_first_, bool elastic, double x_valid_)
-      : pair(pair_), gamma_limit(1000 / pair.x_per_gamma), x_valid(x_valid_), n_first(n_first_) {
+  KnotCurve(const Pair& pair_, const std::vector<Knot>& knots, double n_first_, bool elastic, InRange valid_)
+      : pair(pair_), gamma_limit(1000 / pair.x_per_gamma), valid(valid_), n_first(n_first_) {
     std::vector<double> x, F, a, S, alphas;
     for (const Knot& k : knots) {
       x.push_back(std::log(k.x));
@@ -160,7 +165,10 @@ class KnotCurve {
     const double w = std::min(x, x_last) * std::exp(recovered.value(u)); // beyond the last knot held
     return {pair.x_per_gamma / w, exponent.value(u)};
   }
-  [[nodiscard]] bool in_range(double gamma) const { return gamma * pair.x_per_gamma <= x_valid * (1 + 1e-9); }
+  [[nodiscard]] bool in_range(double gamma) const {
+    const double x = gamma * pair.x_per_gamma;
+    return valid.from * (1 - 1e-9) <= x && x <= valid.to * (1 + 1e-9);
+  }
   [[nodiscard]] double work(double gamma) const {
     const double x = gamma * pair.x_per_gamma, scale = pair.R_e * pair.R_e / pair.x_per_gamma;
     if (x <= x_first) return loading(gamma).F * gamma / (n_first + 1);

@@ -134,7 +134,7 @@ inline KnotCurve prepare_like(const PressedMaterial& m, const Pair& pair) {
     const double x_hertz = std::cbrt(std::pow(0.75 * k.F / E_flat, 2));
     k.S = k.alpha * linear(beta, std::log(k.x)) * k.F / x_hertz;
   }
-  return {pair, knots, n_first, true, m.delta_bar.back()};
+  return {pair, knots, n_first, true, {0, m.delta_bar.back()}};
 }
 
 inline Pair like_pair(const PressedMaterial& m) {

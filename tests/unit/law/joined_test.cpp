@@ -103,6 +103,19 @@ TEST(Joined, IsInRangeOfADentWhileItIsSmall) { // pair.hpp
   for (const double hard : {infinity, 2.0, 0.5}) EXPECT_TRUE(in_range(hard, 0.5, 0.3));
 }
 
+TEST(Joined, IsInRangeWhereBothSidesAre) { // similarity begins above Hertz's force
+  const LawChoice rigid_plastic{"similarity", "",
+                                parameter_texts("E_Pa=1e9 nu=0.3 kappa_Pa=1e7 inverse_m=0.2")},
+      elastic{"hertz", "", parameter_texts("E_Pa=1e9 nu=0.3")};
+  const Law alone = like(rigid_plastic), law = make_law(rigid_plastic, 1e-3, elastic, 1e-3);
+  const double begin = alone.table->valid[0][0];
+  ASSERT_GT(begin, 1e-4);
+  const auto in_range = [&](double x) { return evaluate(law, State{}, x / law.scale.x_per_gamma).in_range; };
+  EXPECT_FALSE(in_range(begin / 2));
+  EXPECT_TRUE(in_range(1.1 * begin));
+  EXPECT_FALSE(in_range(0.1)); // where hertz ends
+}
+
 TEST(Joined, AnyTwoCurvesMakeASoundLaw) {
   Random random;
   for (int i = 0; i < 100; ++i) {
