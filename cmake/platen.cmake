@@ -4,6 +4,8 @@ add_library(platen_flags INTERFACE)
 target_compile_options(platen_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow
                                                 $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict -Wno-stringop-overflow
                                                 -Wno-array-bounds -Wno-maybe-uninitialized>) # false alarms of GCC 12 on std::string
+# Without any optimisation fmt's headers switch -Og on for themselves, and what GCC then takes Eigen's prefetches for is refused.
+target_compile_options(platen_flags INTERFACE $<$<CONFIG:Debug>:-Og>)
 if(PLATEN_WARNINGS_AS_ERRORS)
   target_compile_options(platen_flags INTERFACE -Werror)
 endif()

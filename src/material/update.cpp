@@ -1,5 +1,6 @@
 #include "material/update.hpp"
 
+#include "core/float_traps.hpp"
 #include "core/vector_clones.hpp"
 #include "material/lane_return.hpp"
 
@@ -207,6 +208,7 @@ TrialInvariants invariants(const std::array<double, 3>& eps) {
 UpdateCounts update(const Model& model, std::span<const std::array<double, 3>> eps_trial,
                     std::span<const double> phi_n, std::span<PointUpdate> out) {
   assert(eps_trial.size() == phi_n.size() && phi_n.size() == out.size());
+  const core::NoFloatTraps of_lanes;
   return std::visit(
       [&]<class M>(const M& m) {
         if constexpr (requires { requires M::fixed_moduli; })

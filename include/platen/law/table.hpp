@@ -200,8 +200,8 @@ PLATEN_RARE Response respond_outside(const TableView& t, const Scale& s, const S
   const double x_top = x_max <= t.x_elastic ? x : x_max;
   now.state = {gamma, gamma_max};
   now.in_range = x_max <= 0 || t.in_range(x_max); // never touched: nothing that could be wrong
-  if (0 < x_top)                                 // else never touched, or apart without a trace
-    if (const Top top = t.top(x_top); 0 < top.F) // so small an overlap may have no force
+  if (0 < x_top)                                  // else never touched, or apart without a trace
+    if (const Top top = t.top(x_top); 0 < top.F)  // so small an overlap may have no force
       now = respond(t, s, old, {now.state, x, x_max, x_top}, top);
   now.mean_pressure = mean_pressure(now.force, now.contact_radius);
   if (beyond) now.stiffness = 0, now.in_range = false;
