@@ -1,9 +1,11 @@
 #pragma once
 // Two bodies of any two laws, from what each does against its like (docs/explanation/joined.md).
 //
-// At a force F body i, pressed against its like of its own radius R_i, is at the overlap x_i (delta/R) with
-// the contact radius a_i. Of (R_i^2 x_i)^(3/2) and of a_i^3 Hertz's share is 3 F R_i (1 - nu_i^2)/(4 E_i);
-// the rest is plastic, P_i^(3/2) and Q_i^(3/2). The pair, A = 1/R_1 + 1/R_2, carries F at
+// At a force F body i, pressed against its like of radius R_i, is at the overlap x_i (delta/R) with the
+// contact radius a_i. R_i is its own; of the larger of two it is 2/A (A of their own radii, pair.hpp), whose
+// equal pair has the same gap and yields first at the same force: a plane yields, too. Of (R_i^2 x_i)^(3/2)
+// and of a_i^3 Hertz's share is 3 F R_i (1 - nu_i^2)/(4 E_i); the rest is plastic, P_i^(3/2) and Q_i^(3/2).
+// The pair carries F at
 //
 //   (gamma/A)^(3/2) = 3 F/(4 E* A) + (sum_q P_i)^(3/2),   sum_q u_i = ((u_1^q/R_1 + u_2^q/R_2)/A)^(1/q)
 //   a^3             = 3 F/(4 E* A) + (sum_q Q_i)^(3/2)
@@ -15,11 +17,10 @@
 // it is q = 1, springs in series. Against a rigid plane, and of two alike, it is the curve itself. The power
 // 3/2 is the one with which P of a metal does not depend on its modulus: within 5 % of its mean for E/sigma_y
 // of 100 to 1,000. Of two nearly as soft n is weighted by P_i^4; it is that of the work, F x/W - 1, which is
-// smoother. Unloading starts with both elasticities in series at that contact radius.
+// smoother, and at most that of the whole overlap. Unloading starts with both elasticities in series at that
+// contact radius.
 //
-// A body that is much flatter than its partner, a plane at last, is taken at the radius 2/A, whose equal pair
-// has the same gap and so yields first at the same force. Its curve is in range to x_dented (pair.hpp) where
-// it is the softer.
+// Of a body that is flatter than a harder partner its curve is in range to x_dented (pair.hpp).
 
 #include "platen/law/knot_curve.hpp"
 #include "platen/law/tabulate.hpp"
