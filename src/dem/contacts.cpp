@@ -25,33 +25,11 @@ bool has_elasticity(const fit::LawCard& card) {
   return std::ranges::any_of(parameters, [](const auto& p) { return p.key == "E_Pa"; });
 }
 
-/// A card is for one material; what it says of a second body or of a plane belongs elsewhere.
-void check_side(const fit::LawCard& card, bool on_plane) {
-  const auto against = card.parameters.find("against");
-  if (!on_plane && against != card.parameters.end() && against->second == "plane")
-    throw InvalidInput(
-        fmt::format("{}: the card is for a sphere against a plane, not between spheres", card.file));
-  for (const auto& p : law::find_law(card.law).parameters)
-    for (const std::string& key :
-         {std::string("radius2_m"), p.of == law::Of::body ? law::second_key(p.key) : ""})
-      if (const auto found = card.parameters.find(key); found != card.parameters.end())
-        throw InvalidInput(fmt::format(
-            "{}: the card is for one pair of unlike spheres ({} = {}); give a card for each material",
-            card.file, key, found->second));
-}
-
-law::LawChoice body_of(const fit::LawCard& card) {
-  law::LawChoice one{card.law, card.variant, card.parameters};
-  one.parameters.erase("radius_m");
-  one.parameters.erase("against");
-  return one;
-}
-
 } // namespace
 
 void check(const Contact& contact) {
-  check_side(contact.one, contact.on_plane);
-  if (!contact.on_plane) check_side(contact.two, false);
+  (void)fit::body_of(contact.one, contact.on_plane);
+  if (!contact.on_plane) (void)fit::body_of(contact.two);
   if (!(contact.restitution > 0 && contact.restitution <= 1))
     throw InvalidInput(
         fmt::format("damping {} is not a restitution coefficient in (0, 1]", contact.restitution));
@@ -79,9 +57,9 @@ Laws::Laws(Contact contact_, int index_, const Units& units)
   }
   // Makes the first table: what cannot be is said before anything moves.
   try {
-    const law::LawChoice one = body_of(contact.one);
-    const law::Law law =
-        contact.on_plane ? law::make_law_on_plane(one, 1) : law::make_law(one, 1, body_of(contact.two), 1);
+    const law::LawChoice one = fit::body_of(contact.one, contact.on_plane);
+    const law::Law law = contact.on_plane ? law::make_law_on_plane(one, 1)
+                                          : law::make_law(one, 1, fit::body_of(contact.two), 1);
     shear = eight_G(law.pair) * units.length / units.force;
     node_[contact.on_plane ? last : 0] = law.table;
     force_power = law.force_power;
@@ -109,7 +87,7 @@ const law::Table* Laws::node(int k, bool first_is_larger) {
   if (table) return table.get();
   const double t = static_cast<double>(k) / last, small = k == last ? 1 : 1 - t,
                large = k == last ? law::infinity : 1 + t;
-  const law::LawChoice one = body_of(contact.one), two = body_of(contact.two);
+  const law::LawChoice one = fit::body_of(contact.one), two = fit::body_of(contact.two);
   table =
       (first_is_larger ? law::make_law(one, large, two, small) : law::make_law(one, small, two, large)).table;
   return table.get();

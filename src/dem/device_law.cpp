@@ -23,12 +23,6 @@ constexpr int columns = 16;   // of a cell: left, end, F, w, a (4 each), alpha, 
 
 using core::number_text;
 
-law::LawChoice body_of(const fit::LawCard& card) {
-  law::LawChoice one{card.law, card.variant, card.parameters};
-  one.parameters.erase("against");
-  return one;
-}
-
 /// Radii of a pair with A R_e = s, the mean of the two 1; the second may be infinite.
 law::Law pair_with(const law::LawChoice& one, double s) {
   if (s == 1) return law::make_law(one, 1, one, law::infinity);
@@ -189,7 +183,7 @@ DeviceLaw device_law(const fit::LawCard& card) {
     throw core::InvalidInput(
         fmt::format("{}: the card is for radius_m = {} alone, and the text is for particles of any radius",
                     card.file, card.parameters.at("radius_m")));
-  const auto one = body_of(card);
+  const auto one = fit::body_of(card, true);
   std::vector<law::Law> laws;
   for (int k = 0; k < nodes; ++k) laws.push_back(pair_with(one, s_of(k)));
   laws.push_back(law::make_law_on_plane(one, 1));

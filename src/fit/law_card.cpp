@@ -220,8 +220,26 @@ law::Law make_law(const LawCard& card, const law::ParameterTexts& more) {
   }
 }
 
+law::LawChoice body_of(const LawCard& card, bool on_plane) {
+  const auto against = card.parameters.find("against");
+  if (!on_plane && against != card.parameters.end() && against->second == "plane")
+    throw InvalidInput(
+        fmt::format("{}: the card is for a sphere against a plane, not between spheres", card.file));
+  for (const auto& p : law::find_law(card.law).parameters)
+    for (const std::string& key :
+         {std::string("radius2_m"), p.of == law::Of::body ? law::second_key(p.key) : ""})
+      if (const auto found = card.parameters.find(key); found != card.parameters.end())
+        throw InvalidInput(fmt::format(
+            "{}: the card is for one pair of unlike spheres ({} = {}); give a card for each material",
+            card.file, key, found->second));
+  law::LawChoice one{card.law, card.variant, card.parameters};
+  one.parameters.erase("radius_m");
+  one.parameters.erase("against");
+  return one;
+}
+
 law::Law make_law(const LawCard& one, const LawCard& two, const law::ParameterTexts& radii) {
-  law::LawChoice body[] = {{one.law, one.variant, one.parameters}, {two.law, two.variant, two.parameters}};
+  const law::LawChoice first_body = body_of(one), second_body = body_of(two);
   const auto radius_of = [&](const char* key, const LawCard& card) -> std::optional<double> {
     const auto given = radii.find(key), own = card.parameters.find("radius_m");
     if (given == radii.end() && own == card.parameters.end()) return std::nullopt;
@@ -231,10 +249,9 @@ law::Law make_law(const LawCard& one, const LawCard& two, const law::ParameterTe
   };
   const auto first = radius_of("radius_m", one);
   if (!first) throw InvalidInput("radius_m is missing: the radius of the first body [m]");
-  const double radius[] = {*first, radius_of("radius2_m", two).value_or(*first)};
-  for (auto& choice : body) choice.parameters.erase("radius_m"), choice.parameters.erase("against");
+  const double second = radius_of("radius2_m", two).value_or(*first);
   try {
-    return law::make_law(body[0], radius[0], body[1], radius[1]);
+    return law::make_law(first_body, *first, second_body, second);
   } catch (const law::BadParameter& error) {
     throw InvalidInput(fmt::format("{} with {}: {}", one.file.empty() ? one.law : one.file,
                                    two.file.empty() ? two.law : two.file, error.what()));

@@ -48,6 +48,10 @@ std::string text_of(const LawCard&);
 /// card or replace them. Throws core::InvalidInput.
 law::Law make_law(const LawCard&, const law::ParameterTexts& more);
 
+/// The one body that a card is for, without its radius. Throws core::InvalidInput for a card that says what
+/// of a second body, or, where it is not `on_plane`, that is for a sphere against a plane.
+law::LawChoice body_of(const LawCard&, bool on_plane = false);
+
 /// Two bodies, each with its own card. `radii`: radius_m, and radius2_m where it is not the same [m]. Throws
 /// core::InvalidInput.
 law::Law make_law(const LawCard& one, const LawCard& two, const law::ParameterTexts& radii);

@@ -257,6 +257,10 @@ answers 0 "$("$platen" eval hertz -p E_Pa=1e9 -p nu=0.3 -p E2_Pa=5e10 -p nu2=0.3
   "$platen" eval hertz-1e9.toml --with hertz-5e10.toml "${radii[@]}" --overlap 1e-6
 answers 2 'radius_m is missing' "$platen" eval hertz-1e9.toml --with hertz-5e10.toml --overlap 1e-6
 answers 2 'E_Pa has no place beside --with' "$platen" eval hertz-1e9.toml --with hertz-5e10.toml -p radius_m=1 -p E_Pa=1e9 --overlap 1e-6
+for wrong in 'against = "plane"' 'E2_Pa = 1e10' 'radius2_m = 1'; do # of a second body: which of the two would it be?
+  (cat hertz-1e9.toml && echo "$wrong") >of-a-pair.toml
+  answers 2 'of-a-pair.toml: the card is for' "$platen" eval hertz-5e10.toml --with of-a-pair.toml "${radii[@]}" --overlap 1e-6
+done
 answers 2 'nothere.toml: there is no such file' "$platen" eval hertz-1e9.toml --with nothere.toml -p radius_m=1 --overlap 1e-6
 answers 0 '1e-6,0.0163814' "$platen" eval hertz -p radius_m=1e-3 -p E_Pa=1e9 -p nu=0.3 --overlap 1e-6 --exact
 granule=(edmans-sinka -p radius_m=1e-3 -p nu=0.2 -p sigma_ref_Pa=1e7 -p Gamma_bar=1)
