@@ -22,9 +22,9 @@ template <class T> using Wanted = std::optional<Array<T>>;
 
 struct Contact {
   law::Law law;
-  double limit = law::infinity; ///< largest overlap for which laws and cards hold [m]
-  std::string words = {};       ///< for messages
-  std::string key = {};         ///< same key, same contact: whose memory may be taken
+  fit::Validity validity = {}; ///< of the cards
+  std::string words = {};      ///< for messages
+  std::string key = {};        ///< same key, same contact: whose memory may be taken
 };
 
 std::string key_of(const std::string& words, std::initializer_list<const fit::LawCard*> cards) {
@@ -45,7 +45,7 @@ Contact like_pair(const fit::LawCard& card, double radius, std::optional<double>
   law::ParameterTexts more{{"radius_m", core::number_text(radius)}};
   if (partner_radius) more["radius2_m"] = core::number_text(*partner_radius);
   Contact contact{fit::make_law(card, more)};
-  contact.limit = fit::overlap_limit(card, contact.law);
+  contact.validity = fit::validity_of(card, contact.law);
   contact.words = fmt::format("{}, radii {} and {} m", card.law, radius, partner_radius.value_or(radius));
   contact.key = key_of(contact.words, {&card});
   return contact;
@@ -66,7 +66,7 @@ Contact unlike_pair(const fit::LawCard& card, double radius, const fit::LawCard&
             fmt::format("{}: {} describes a second body, and so does the partner; leave out one", side->name,
                         law::second_key(p.key)));
   Contact contact{law::make_law(one, radius, two, partner_radius)};
-  contact.limit = std::min(fit::overlap_limit(card, contact.law), fit::overlap_limit(partner, contact.law));
+  contact.validity = fit::common(fit::validity_of(card, contact.law), fit::validity_of(partner, contact.law));
   contact.words = fmt::format("{} and {}, radii {} and {} m", card.law, partner.law, radius, partner_radius);
   contact.key = key_of(contact.words, {&card, &partner});
   return contact;
@@ -75,7 +75,7 @@ Contact unlike_pair(const fit::LawCard& card, double radius, const fit::LawCard&
 Contact on_plane(const fit::LawCard& card, double radius) {
   check_radius(card, "radius_m", radius);
   Contact contact{fit::make_law(card, {{"radius_m", core::number_text(radius)}, {"against", "plane"}})};
-  contact.limit = fit::overlap_limit(card, contact.law);
+  contact.validity = fit::validity_of(card, contact.law);
   contact.words = fmt::format("{} on a rigid plane, radius {} m", card.law, radius);
   contact.key = key_of(contact.words, {&card});
   return contact;
@@ -137,7 +137,7 @@ inline void write_rest(const law::Response& now, const Contact& contact, const S
   if (to.mean_pressure) to.mean_pressure[i] = now.mean_pressure;
   if (to.dissipated_work) to.dissipated_work[i] = now.dissipated_work;
   if (to.branch) to.branch[i] = static_cast<std::uint8_t>(now.branch);
-  if (to.in_range) to.in_range[i] = now.in_range && now.state.gamma_max <= contact.limit;
+  if (to.in_range) to.in_range[i] = now.in_range && contact.validity.holds(now.state.gamma_max);
 }
 
 template <class T> T* pointer(const Wanted<T>& array, std::size_t count, const char* name) {
@@ -272,7 +272,9 @@ void add_contacts(nb::module_& m) {
       .def_static("on_plane", &on_plane, nb::arg("card"), nb::arg("radius"))
       .def_ro("words", &Contact::words)
       .def_ro("key", &Contact::key)
-      .def_ro("limit", &Contact::limit, "Largest overlap for which laws and cards hold [m].")
+      .def_prop_ro(
+          "limit", [](const Contact& c) { return c.validity.to; },
+          "Largest overlap for which the cards hold [m].")
       .def_prop_ro(
           "delta_bar_per_overlap", [](const Contact& c) { return c.law.scale.x_per_gamma; }, "[1/m]")
       .def(

@@ -68,16 +68,16 @@ std::string json_of(const fit::LawCard& card, const std::vector<Row>& rows) {
          "\n";
 }
 
-/// The law that is asked, and how far its cards hold [m].
+/// The law that is asked, and where its cards hold.
 struct Asked {
   law::Law law;
-  double limit;
+  fit::Validity validity;
 };
 Asked asked_law(const fit::LawCard& card, const Options& options) {
   const law::ParameterTexts more = parameters_of(options.law);
   if (options.partner.empty()) {
     law::Law law = fit::make_law(card, more);
-    return {law, fit::overlap_limit(card, law)};
+    return {law, fit::validity_of(card, law)};
   }
   for (const auto& [key, value] : more)
     if (key != "radius_m" && key != "radius2_m")
@@ -85,12 +85,12 @@ Asked asked_law(const fit::LawCard& card, const Options& options) {
           fmt::format("{} has no place beside --with: its cards say all but radius_m and radius2_m", key));
   const fit::LawCard partner = fit::find_law_card(options.partner);
   law::Law law = fit::make_law(card, partner, more);
-  return {law, std::min(fit::overlap_limit(card, law), fit::overlap_limit(partner, law))};
+  return {law, fit::common(fit::validity_of(card, law), fit::validity_of(partner, law))};
 }
 
 void eval(const Options& options) {
   const fit::LawCard card = card_of(options.law);
-  const auto [law, limit] = asked_law(card, options);
+  const auto [law, validity] = asked_law(card, options);
   std::vector<Row> rows;
   law::State state;
   std::size_t outside = 0;
@@ -98,7 +98,7 @@ void eval(const Options& options) {
     law::Response response =
         options.exact ? law.formulas(state, overlap) : law::evaluate(law, state, overlap);
     state = response.state;
-    response.in_range = response.in_range && state.gamma_max <= limit;
+    response.in_range = response.in_range && validity.holds(state.gamma_max);
     outside += !response.in_range;
     rows.push_back({overlap, response});
   }

@@ -2,7 +2,6 @@
 
 #include "platen/law/catalogue.hpp"
 
-#include <cmath>
 #include <cstring>
 #include <exception>
 #include <type_traits>
@@ -25,17 +24,10 @@ void tell(char* message, size_t size, const char* what) {
 
 const char* or_empty(const char* text) { return text ? text : ""; }
 
-/// No step leaves another memory behind; a table has nothing beyond.
-bool is_memory(const platen::law::Law& law, const State& state) {
-  const double limit = platen::law::TableView::x_limit * (1 + 1e-9);
-  return state.gamma_max >= 0 && state.gamma_max * law.scale.x_per_gamma <= limit; // false for no number
-}
-
 /// The caller's bytes may lie anywhere, and be anything.
 platen::law::Response advance(const platen_law* law, void* state, double overlap) {
   State memory;
   std::memcpy(&memory, state, sizeof memory);
-  if (!is_memory(law->law, memory)) overlap = std::nan("");
   const auto now = platen::law::evaluate(law->law, memory, overlap);
   std::memcpy(state, &now.state, sizeof memory);
   return now;

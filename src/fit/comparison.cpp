@@ -61,11 +61,11 @@ Trace trace_of(const LawItem& item, const law::ParameterTexts& shared, const Que
     if (knows(info, key) && (!item.card.parameters.contains(key) || q.parameters.contains(key)))
       texts[key] = text;
   for (const auto& [key, text] : item.parameters) texts[key] = text;
-  Trace trace = trace_of(make_law(item.card, texts), reference, item.label);
-  if (item.card.delta_bar)
-    for (std::size_t i = 0; i < reference.delta.size(); ++i)
-      trace.in_range[i] = trace.in_range[i] &&
-                          reference.delta[i] <= (*item.card.delta_bar)[1] * reference.radius_m * (1 + 1e-12);
+  const law::Law law = make_law(item.card, texts);
+  const Validity validity = validity_of(item.card, law);
+  Trace trace = trace_of(law, reference, item.label);
+  for (std::size_t i = 0; i < reference.delta.size(); ++i)
+    trace.in_range[i] = trace.in_range[i] && validity.holds(reference.delta[i]);
   if (const auto outside = std::ranges::count(trace.in_range, false); outside > 0)
     comparison.warnings.push_back(fmt::format("{}: {} of {} points are outside its validity ({})", item.label,
                                               outside, reference.delta.size(), info.validity));

@@ -205,9 +205,14 @@ std::string text_of(const LawCard& card) {
   return text;
 }
 
-double overlap_limit(const LawCard& card, const law::Law& law) {
-  if (!card.delta_bar) return law::infinity;
-  return (*card.delta_bar)[1] * (1 + 1e-12) / law.scale.x_per_gamma;
+Validity validity_of(const LawCard& card, const law::Law& law) {
+  if (!card.delta_bar) return {};
+  const auto [from, to] = *card.delta_bar;
+  return {from * (1 - 1e-12) / law.scale.x_per_gamma, to * (1 + 1e-12) / law.scale.x_per_gamma};
+}
+
+Validity common(const Validity& one, const Validity& two) {
+  return {std::max(one.from, two.from), std::min(one.to, two.to)};
 }
 
 law::Law make_law(const LawCard& card, const law::ParameterTexts& more) {

@@ -56,7 +56,16 @@ law::LawChoice body_of(const LawCard&, bool on_plane = false);
 /// core::InvalidInput.
 law::Law make_law(const LawCard& one, const LawCard& two, const law::ParameterTexts& radii);
 
-/// The largest overlap for which card and law hold; a card may hold for less than its law [m].
-double overlap_limit(const LawCard&, const law::Law&);
+/// Largest overlaps for which cards hold, which may be fewer than those of their laws [m].
+struct Validity {
+  double from = 0, to = law::infinity;
+
+  /// A contact that never touched is right anyhow.
+  [[nodiscard]] bool holds(double largest) const {
+    return largest <= 0 || (from <= largest && largest <= to);
+  }
+};
+Validity validity_of(const LawCard&, const law::Law&);
+Validity common(const Validity&, const Validity&);
 
 } // namespace platen::fit

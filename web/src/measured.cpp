@@ -90,7 +90,7 @@ std::string Explorer::fit_strength(const law::ParameterTexts& texts, double radi
       const auto material = with_strength(start, std::exp(log_value));
       const auto card = predicted(material);
       const auto law = fit::make_law(card, {{"radius_m", core::number_text(radius_m)}, {"against", "plane"}});
-      const double end = fit::overlap_limit(card, law);
+      const double end = fit::validity_of(card, law).to;
       double off = 0, all = 0;
       used = 0;
       for (std::size_t i = 0; i < delta_m_.size() && delta_m_[i] <= end; ++i, ++used) {

@@ -184,11 +184,13 @@ PLATEN_HOT Response respond(const TableView& t, const Scale& s, const State& old
   return now;
 }
 
-/// Apart, before the cells, beyond the limit, or no number.
+/// Apart, before the cells, beyond the limit, no number, or no memory.
 PLATEN_RARE Response respond_outside(const TableView& t, const Scale& s, const State& old, double overlap) {
   Response now;
-  if (overlap != overlap) {
-    now.force = now.stiffness = now.contact_radius = now.mean_pressure = now.dissipated_work = overlap;
+  const double limit = TableView::x_limit / s.x_per_gamma * (1 + 1e-9);
+  if (overlap != overlap || !(0 <= old.gamma_max && old.gamma_max <= limit)) {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    now.force = now.stiffness = now.contact_radius = now.mean_pressure = now.dissipated_work = none;
     now.state = old;
     now.in_range = false;
     return now;
@@ -211,11 +213,12 @@ PLATEN_RARE Response respond_outside(const TableView& t, const Scale& s, const S
 } // namespace detail
 
 /// The whole law in one pure step: remembered state and overlap in, response and new state out. An overlap
-/// that is no number gives a response that is none, and leaves the memory alone.
+/// that is no number, or a memory that no overlap could have left, gives a response that is none, and leaves
+/// the memory alone.
 PLATEN_HOT Response evaluate(const TableView& t, const Scale& s, const State& old, double overlap) {
   const double x = overlap * s.x_per_gamma, x_max = larger(x, old.gamma_max * s.x_per_gamma);
   const double x_top = detail::pick(x_max <= t.x_elastic, x, x_max);
-  if (!(t.x_first < x_top && x <= TableView::x_limit)) [[unlikely]] {
+  if (!(t.x_first < x_top && x_top <= TableView::x_limit && 0 <= old.gamma_max)) [[unlikely]] {
     const Response far = detail::respond_outside(t, s, old, overlap);
     // member by member: as a whole it would be kept in memory on the usual path too
     return {far.force,         far.stiffness,       far.contact_radius,

@@ -46,6 +46,20 @@ TEST_F(LawCard, WrittenAndReadIsTheSameCard) {
   EXPECT_EQ(fit::value_of(again.provenance, "engine"), core::FieldValue(1));
 }
 
+TEST_F(LawCard, HoldsFromWhereToWhereItSays) {
+  std::string text = example;
+  text.replace(text.find("[0.0, 0.5]"), 10, "[0.1, 0.5]");
+  const auto card = read(text);
+  const auto law = fit::make_law(card, {{"radius_m", "1e-3"}, {"against", "plane"}});
+  const fit::Validity own = fit::validity_of(card, law);
+  EXPECT_FALSE(own.holds(0.99e-4));
+  EXPECT_TRUE(own.holds(1e-4) && own.holds(5e-4) && own.holds(0));
+  EXPECT_FALSE(own.holds(5.01e-4));
+  const fit::Validity both = fit::common(own, {2e-4, 9e-4});
+  EXPECT_EQ(both.from, 2e-4);
+  EXPECT_EQ(both.to, own.to);
+}
+
 TEST_F(LawCard, GivesTheLawThatTheHeadersGive) {
   const auto law = fit::make_law(read(example), {{"radius_m", "1e-3"}});
   law::EdmansSinkaMaterial m;

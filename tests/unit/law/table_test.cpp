@@ -184,7 +184,7 @@ TEST(Table, APartedContactHasNoForceRadiusPressureOrStiffness) {
   }
 }
 
-TEST(Table, OfAnOverlapThatIsNoNumberAnswersSoOnceAndKeepsItsMemory) {
+TEST(Table, OfAnOverlapOrAMemoryThatIsNoneAnswersSoAndKeepsItsMemory) {
   Random random;
   for (const LawInfo& info : laws()) {
     std::optional<Law> law;
@@ -198,6 +198,11 @@ TEST(Table, OfAnOverlapThatIsNoNumberAnswersSoOnceAndKeepsItsMemory) {
     EXPECT_FALSE(lost.in_range);
     EXPECT_EQ(lost.state.gamma_max, before.gamma_max);
     EXPECT_EQ(evaluate(*law, lost.state, 1e-5).force, evaluate(*law, before, 1e-5).force);
+    for (const double top : {infinity, 1e305, std::nan(""), -1e-5}) // read from a file of who knows what
+      for (const double overlap : {-1e-5, 1e-5, 1e3}) {
+        const Response now = evaluate(*law, State{0, top}, overlap);
+        EXPECT_TRUE(std::isnan(now.force) && !now.in_range) << info.name << ' ' << top << ' ' << overlap;
+      }
   }
 }
 
