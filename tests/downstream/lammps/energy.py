@@ -57,9 +57,7 @@ group lower subtract walls upper
 SAID = f"""
 {ENERGY}
 fix E walls platen/energy
-compute turning bed erotate/sphere
-compute moving bed ke
-thermo_style custom step c_moving c_turning f_E[1] f_E[2] f_E[3] f_E[4] f_E[5]
+thermo_style custom step f_E[1] f_E[2] f_E[3] f_E[4] f_E[5] f_E[6]
 thermo_modify format float %.15g norm no lost error
 thermo {STEPS // 20}
 """
@@ -68,22 +66,22 @@ thermo {STEPS // 20}
 def rows_of(said):
     for line in said.splitlines():
         words = line.split()
-        if len(words) == 8 and all(word[0].isdigit() or word[0] == "-" for word in words):
+        if len(words) == 7 and all(word[0].isdigit() or word[0] == "-" for word in words):
             yield [float(word) for word in words]
 
 
 def balance(name, text):
-    """Kinetic energy, work put in, of the law, of friction; largest error over the work that was put in."""
+    """Work put in, of the law, of friction, kinetic energy; largest error over the work that was put in."""
     folder, said = lammps(name, text, timeout=None)
     rows = list(rows_of(said))
-    off = max(abs(kinetic + turning + law + friction - put_in) for _, kinetic, turning, put_in, law, friction, _, _ in rows)
-    _, kinetic, turning, put_in, law, friction, contacts, pages = rows[-1]
-    print(f"{name}: {STEPS} steps, {contacts:.0f} contacts; of {put_in:.3e} J {(kinetic + turning) / put_in:.1e} kinetic, "
+    off = max(abs(kinetic + law + friction - put_in) for _, put_in, law, friction, kinetic, _, _ in rows)
+    _, put_in, law, friction, kinetic, contacts, pages = rows[-1]
+    print(f"{name}: {STEPS} steps, {contacts:.0f} contacts; of {put_in:.3e} J {kinetic / put_in:.1e} kinetic, "
           f"{law / put_in:.3f} law, {friction / put_in:.3f} friction; off by {off / put_in:.1e}; "
-          f"memory {rows[len(rows) // 4][7] * 4:.0f} kB, at the end {pages * 4:.0f} kB")
+          f"memory {rows[len(rows) // 4][6] * 4:.0f} kB, at the end {pages * 4:.0f} kB")
     assert contacts > 3 * N**3 and friction > 0.1 * put_in, "the bed is not dense, or does not slide"
-    near(f"{name}: energy", off / put_in, 0, 0, 5e-4)
-    near(f"{name}: memory", pages, rows[len(rows) // 4][7], 0.02)
+    near(f"{name}: energy", off / put_in, 0, 0, 2e-5 if STEPS < 300000 else 1e-6)
+    near(f"{name}: memory", pages, rows[len(rows) // 4][6], 0.02)
     return folder
 
 
