@@ -75,6 +75,16 @@ class Material:
         card, found = _core.from_compaction(os.fspath(test), os.fspath(strengths), float(rho_r0), model, name)
         return cls(card, found["words"].splitlines())
 
+    @classmethod
+    def from_indices(
+        cls, *, strain: float, bonding: float, hardness: float, relative_density: float, name: str = "granule of indices"
+    ) -> Material:
+        """A granule of relative density 0.7 from Hiestand's indices of compacts of `relative_density`: strain index H/E',
+        bonding index sigma_T/H, `hardness` H [Pa]; what they do not say is the base case's. As `platen predict
+        --strain_index`. InvalidInput where the indentation is partly elastic, or a compact is stronger in tension than in
+        shear."""
+        return cls(_core.from_indices(float(strain), float(bonding), float(hardness), float(relative_density), name))
+
     def to_abaqus(self, units: str) -> str:
         """The material as a section of an input file of Abaqus, in these units (those of `from_abaqus`). What Abaqus lacks is a
         warning; "vmdc" is refused."""

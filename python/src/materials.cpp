@@ -189,6 +189,15 @@ void add_materials(nb::module_& m) {
   m.def("from_compaction", &from_compaction, nb::arg("test"), nb::arg("strengths"), nb::arg("rho_r0"),
         nb::arg("model"), nb::arg("name"),
         "A card from die compaction and tablet strengths, and how it was found.");
+  m.def(
+      "from_indices",
+      [](double strain, double bonding, double hardness, double relative_density, const std::string& name) {
+        const material::Material granule{
+            name, surrogate::granule_from({strain, bonding, hardness, relative_density})};
+        return material::read_card(core::parse_toml(material::card_text(granule), name));
+      },
+      nb::arg("strain"), nb::arg("bonding"), nb::arg("hardness"), nb::arg("relative_density"),
+      nb::arg("name"), "A card from Hiestand's indices.");
   m.def("yield_from_heckel", &surrogate::yield_from_heckel, nb::arg("E"), nb::arg("nu"), nb::arg("pressure"));
   m.def("yield_from_hardness", &surrogate::yield_from_hardness, nb::arg("E"), nb::arg("nu"),
         nb::arg("hardness"), "[Pa]");

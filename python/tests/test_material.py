@@ -106,6 +106,19 @@ def test_a_yield_stress_from_what_people_know(command):
     assert found == pytest.approx(20e6, rel=0.01)
 
 
+def test_a_granule_from_indices(command):
+    indices = {"strain": 0.02, "bonding": 0.01, "hardness": 56e6}
+    granule = platen.Material.from_indices(**indices, relative_density=0.7)
+    parameters = granule.parameters
+    assert parameters.Gamma_Pa == pytest.approx(20e6)
+    assert parameters.E_Pa / (1 - parameters.nu**2) == pytest.approx(56e6 / 0.02)
+    line = [command, "predict", "--strain_index", "0.02", "--bonding_index", "0.01", "--hardness_Pa", "56e6"]
+    subprocess.run([*line, "--relative_density", "0.7", "-o", "indices.toml"], check=True, capture_output=True)
+    assert granule.predict().parameters.F_bar == pytest.approx(platen.Law.load("indices.toml").parameters.F_bar)
+    with pytest.raises(platen.InvalidInput, match="shear strength"):
+        platen.Material.from_indices(**{**indices, "bonding": 0.5}, relative_density=0.7)
+
+
 def test_keys_are_those_of_the_command(command):
     for of, line in {"material": ["materials"], "case": ["press"], "study": ["study", "design"]}.items():
         assert platen.keys(of) == subprocess.run([command, *line, "--keys"], check=True, capture_output=True, text=True).stdout

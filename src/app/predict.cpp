@@ -22,7 +22,7 @@ namespace {
 struct Options {
   std::string material, output = "law.toml", law, variant = "published";
   std::optional<double> E_Pa, nu, sigma_y_Pa, hardness_Pa, heckel_Pa, crush_force_N, crush_overlap_m,
-      radius_m;
+      radius_m, strain_index, bonding_index, relative_density;
   bool quick = false, extrapolate = false, json = false;
 };
 
@@ -59,7 +59,29 @@ double yield_stress_of(const Options& o) {
   return *o.sigma_y_Pa;
 }
 
+material::Material granule_of(const Options& o) {
+  if (!o.material.empty() || o.E_Pa || o.nu || o.sigma_y_Pa || o.heckel_Pa || o.crush_force_N ||
+      o.crush_overlap_m || o.radius_m)
+    throw core::InvalidInput(
+        "indices describe a granule: give --strain_index, --bonding_index, --hardness_Pa "
+        "and --relative_density, and no material beside them");
+  for (const auto& [name, value] : {std::pair{"--strain_index", o.strain_index},
+                                    {"--bonding_index", o.bonding_index},
+                                    {"--hardness_Pa", o.hardness_Pa},
+                                    {"--relative_density", o.relative_density}})
+    if (!value) refuse_missing(name);
+  const material::Vmdc granule =
+      surrogate::granule_from({*o.strain_index, *o.bonding_index, *o.hardness_Pa, *o.relative_density});
+  core::say_line(fmt::format("note: E_bar = {:.4g}, Lambda_bar = {:.4g}, sigma_y_Pa = {:.4g} at relative "
+                             "density {}; all else as in the "
+                             "card base-case",
+                             granule.E / granule.sigma_y, granule.Lambda / granule.sigma_y, granule.sigma_y,
+                             granule.rho_r0));
+  return {"granule of these indices", granule};
+}
+
 material::Material material_of(const Options& o) {
+  if (o.strain_index || o.bonding_index || o.relative_density) return granule_of(o);
   const bool crushing = o.crush_force_N || o.crush_overlap_m || o.radius_m;
   const bool flags = o.E_Pa || o.nu || o.sigma_y_Pa || o.hardness_Pa || o.heckel_Pa || crushing;
   if (flags && !o.material.empty())
@@ -233,6 +255,15 @@ void add_predict(Command program) {
                   "its overlap with one plate: half of what the plates came together")
       .type_name("NUMBER");
   command.add_option("--radius_m", o->radius_m, "of that sphere").type_name("NUMBER");
+  command
+      .add_option("--strain_index", o->strain_index,
+                  "instead of a material, a granule: Hiestand's strain index H/E', with --bonding_index, "
+                  "--hardness_Pa, --relative_density")
+      .type_name("NUMBER");
+  command.add_option("--bonding_index", o->bonding_index, "its bonding index, tensile strength over hardness")
+      .type_name("NUMBER");
+  command.add_option("--relative_density", o->relative_density, "of the compacts that were tested")
+      .type_name("NUMBER");
   command.add_option("-o", o->output, "the law card").type_name("LAW.toml").capture_default_str();
   command
       .add_option("--law", o->law,

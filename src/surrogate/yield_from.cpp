@@ -1,6 +1,7 @@
 #include "surrogate/yield_from.hpp"
 
 #include "core/error.hpp"
+#include "material/card.hpp"
 #include "surrogate/assess.hpp"
 
 #include <fmt/format.h>
@@ -85,6 +86,34 @@ double yield_from_crushing(double E, double nu, double F, double delta, double R
     (force(middle) < F ? weak : strong) = middle;
   }
   return std::sqrt(weak * strong);
+}
+
+material::Vmdc granule_from(const Indices& known) {
+  if (!(known.strain > 0) || !(known.bonding > 0) || !std::isfinite(known.strain))
+    throw core::InvalidInput(fmt::format(
+        "strain_index = {:.4g}, bonding_index = {:.4g}: both must be above 0", known.strain, known.bonding));
+  if (!(known.relative_density >= 0.5 && known.relative_density <= 1))
+    throw core::InvalidInput(
+        fmt::format("relative_density = {:.4g} of the compacts is not in 0.5 to 1", known.relative_density));
+  auto granule = std::get<material::Vmdc>(material::read_card("base-case").material.model);
+  const double denser = known.relative_density - granule.rho_r0;
+  const double nu = granule.nu + granule.xi_1 * denser;
+  const double E = known.hardness_Pa * (1 - nu * nu) / known.strain,
+               sigma_T = known.bonding * known.hardness_Pa;
+  const double Gamma = yield_from_hardness(E, nu, known.hardness_Pa);
+  if (sigma_T >= Gamma)
+    throw core::InvalidInput(fmt::format(
+        "bonding_index = {:.4g}: a tensile strength of {:.4g} Pa is no less than the shear strength H/2.8 = "
+        "{:.4g} Pa; indices are fractions, mostly below 0.06",
+        known.bonding, sigma_T, Gamma));
+  // (sigma_T/3 Lambda)^2 + (sigma_T/Gamma)^2 = 1
+  const double Lambda = sigma_T / 3 / std::sqrt(1 - std::pow(sigma_T / Gamma, 2));
+  const double of_base = granule.sigma_y / granule.Gamma;
+  granule.Gamma = Gamma * std::exp(-granule.zeta * denser);
+  granule.sigma_y = of_base * granule.Gamma;
+  granule.E = E * std::exp(-granule.xi * denser);
+  granule.Lambda = Lambda * std::exp(-granule.omega * denser);
+  return granule;
 }
 
 } // namespace platen::surrogate

@@ -21,6 +21,32 @@ TEST(YieldFromHardness, IsRefusedWhereTheIndentationIsPartlyElastic) {
   EXPECT_THROW(yield_from_hardness(2e11, 0.6, 1e9), core::InvalidInput);
 }
 
+TEST(GranuleFromIndices, IsTheCompactAtItsDensity) {
+  const Indices known{0.02, 0.01, 56e6, 0.9};
+  const auto g = granule_from(known);
+  EXPECT_EQ(g.rho_r0, 0.7);
+  EXPECT_DOUBLE_EQ(g.Gamma, g.sigma_y); // of the base case
+  const double phi = std::log(known.relative_density / g.rho_r0);
+  ASSERT_NEAR(g.rho_r(phi), known.relative_density, 1e-12);
+  const auto moduli = g.moduli(phi);
+  const double E = 9 * moduli.K * moduli.G / (3 * moduli.K + moduli.G), nu = E / (2 * moduli.G) - 1;
+  EXPECT_NEAR(E / (1 - nu * nu), 56e6 / 0.02, 1e-6 * 56e6 / 0.02);
+  const auto strengths = g.strengths(phi);
+  EXPECT_NEAR(strengths.Gamma, 20e6, 1);
+  const double sigma_T = 0.01 * 56e6; // p = q/3 of tension along one axis is on the tension cap
+  EXPECT_NEAR(std::hypot(sigma_T / 3 / strengths.Lambda, sigma_T / strengths.Gamma), 1, 1e-9);
+}
+
+TEST(GranuleFromIndices, RefusesWhatNoCompactHas) {
+  for (const Indices& wrong : {Indices{0.2, 0.01, 56e6, 0.9},
+                               {0.02, 0.4, 56e6, 0.9},
+                               {0.02, 0.01, -1, 0.9},
+                               {0.02, 0.01, 56e6, 90},
+                               {0, 0.01, 56e6, 0.9},
+                               {0.02, std::nan(""), 56e6, 0.9}})
+    EXPECT_THROW(granule_from(wrong), core::InvalidInput);
+}
+
 TEST(YieldFromHeckel, IsAThirdOfTheYieldPressure) {
   EXPECT_DOUBLE_EQ(yield_from_heckel(5e9, 0.3, 75e6), 25e6);
   EXPECT_THROW(yield_from_heckel(5e9, 0.3, 6e8), core::InvalidInput); // springs back
