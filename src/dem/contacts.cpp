@@ -88,8 +88,10 @@ const law::Table* Laws::node(int k, bool first_is_larger) {
   const double t = static_cast<double>(k) / last, small = k == last ? 1 : 1 - t,
                large = k == last ? law::infinity : 1 + t;
   const law::LawChoice one = fit::body_of(contact.one), two = fit::body_of(contact.two);
-  table =
-      (first_is_larger ? law::make_law(one, large, two, small) : law::make_law(one, small, two, large)).table;
+  // The ratio of the radii is rounded, which is a tenth of a per cent of the force: a coarse table will do.
+  table = (first_is_larger ? law::make_law(one, large, two, small, law::coarse_table)
+                           : law::make_law(one, small, two, large, law::coarse_table))
+              .table;
   return table.get();
 }
 

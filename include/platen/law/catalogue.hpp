@@ -23,7 +23,7 @@ namespace platen::law {
 /// A law and how it is made.
 struct LawType {
   LawInfo info;
-  Law (*of_pair)(const Reader& one, double R1, const Reader& two, double R2);
+  Law (*of_pair)(const Reader& one, double R1, const Reader& two, double R2, const TableAccuracy&);
   Law (*on_plane)(const Reader& one, double R);
 };
 
@@ -44,7 +44,8 @@ struct LawChoice {
 };
 
 /// Two bodies, each with its own parameters. Laws that differ, or that do not take the two, are joined.
-PLATEN_CATALOGUE Law make_law(const LawChoice& one, double R1, const LawChoice& two, double R2);
+PLATEN_CATALOGUE Law make_law(const LawChoice& one, double R1, const LawChoice& two, double R2,
+                              const TableAccuracy& = {});
 PLATEN_CATALOGUE Law make_law_on_plane(const LawChoice& one, double R);
 
 /// From one set of texts, where the second body's parameters have keys of their own (second_key); what is not

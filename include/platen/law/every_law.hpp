@@ -50,13 +50,14 @@ PLATEN_CATALOGUE const std::vector<LawType>& law_types() {
   static const std::vector<LawType> all = [] {
     std::vector<LawType> list;
     const auto add = [&]<class Material>(std::type_identity<Material>) {
-      list.push_back({complete(Material::info()),
-                      [](const Reader& one, double R1, const Reader& two, double R2) {
-                        return tabulate(prepare(Material::read(one), R1, Material::read(two), R2));
-                      },
-                      [](const Reader& one, double R) {
-                        return tabulate(prepare_on_rigid_plane(Material::read(one), R));
-                      }});
+      list.push_back(
+          {complete(Material::info()),
+           [](const Reader& one, double R1, const Reader& two, double R2, const TableAccuracy& accuracy) {
+             return tabulate(prepare(Material::read(one), R1, Material::read(two), R2), accuracy);
+           },
+           [](const Reader& one, double R) {
+             return tabulate(prepare_on_rigid_plane(Material::read(one), R));
+           }});
     };
     [&]<class... Material>(std::type_identity<std::tuple<Material...>>) {
       (add(std::type_identity<Material>{}), ...);
@@ -95,17 +96,19 @@ PLATEN_CATALOGUE Reader LawChoice::reader() const {
   return {info, parameters, variant};
 }
 
-PLATEN_CATALOGUE Law make_law(const LawChoice& one, double R1, const LawChoice& two, double R2) {
+PLATEN_CATALOGUE Law make_law(const LawChoice& one, double R1, const LawChoice& two, double R2,
+                              const TableAccuracy& accuracy) {
   const Reader a = one.reader(), b = two.reader();
   if (a.loading() != b.loading()) // a particle in a die beside one that is pressed alone
     throw BadParameter(one.name + " and " + two.name +
                        ": both sides must have the same loading (simple, die or hydrostatic)");
   if (one.name == two.name && a.variant == b.variant) try {
-      return find_type(one.name).of_pair(a, R1, b, R2);
+      return find_type(one.name).of_pair(a, R1, b, R2, accuracy);
     } catch (const BadParameter&) { // of one of them, or only of the two together
       if (one.parameters == two.parameters) throw;
     }
-  const Law like1 = find_type(one.name).of_pair(a, 1, a, 1), like2 = find_type(two.name).of_pair(b, 1, b, 1);
+  const Law like1 = find_type(one.name).of_pair(a, 1, a, 1, {}),
+            like2 = find_type(two.name).of_pair(b, 1, b, 1, {});
   for (const auto& [law, name] : {std::pair{&like1, &one.name}, std::pair{&like2, &two.name}})
     if (law->force_power != 2 || law->table->shape != Shape::power)
       throw BadParameter(
@@ -120,7 +123,7 @@ PLATEN_CATALOGUE Law make_law(const LawChoice& one, double R1, const LawChoice& 
     own.curvature = 1 / R;
     return own;
   };
-  return tabulate(join(make_pair(body(like1, R1), body(like2, R2)), side(like1), side(like2)));
+  return tabulate(join(make_pair(body(like1, R1), body(like2, R2)), side(like1), side(like2)), accuracy);
 }
 
 PLATEN_CATALOGUE Law make_law_on_plane(const LawChoice& one, double R) {

@@ -108,6 +108,14 @@ struct TableView {
   }
 };
 
+/// How far a table may be from the formulas that it is made from, relative.
+struct TableAccuracy {
+  double force = 2e-5, slope = 2e-4, radius = 5e-5, rate = 3e-5;
+  double lost = 3e-5; ///< over the work of loading
+};
+/// Two fifths of the memory, where other errors are larger.
+inline constexpr TableAccuracy coarse_table{2e-4, 2e-3, 1e-3, 1e-3, 1e-3};
+
 /// A table and its cells.
 struct Table : TableView {
   std::vector<Cell> cell_list;

@@ -18,11 +18,6 @@ namespace platen::law {
 ///   law.gamma_end()     overlap [m] from which on the tangent goes on; else 2 R_e
 ///   Law::force_power    the force goes with R_e to this power; else 2
 ///   Law::shape, law.n, law.lambda_p   how it unloads (table.hpp)
-struct TableAccuracy {
-  double force = 2e-5, slope = 2e-4, radius = 5e-5, rate = 3e-5;
-  double lost = 3e-5; ///< over the work of loading
-};
-
 namespace detail {
 
 template <class L> double force_power(const L&) {

@@ -40,5 +40,20 @@ TEST(Contacts, OfAnyRadiiAreWithin0_3PerCentOfTheLawOfThoseRadii) {
   EXPECT_GT(worst, 1e-4); // else the tables were not shared
 }
 
+TEST(Contacts, OfUnlikeRadiiTakeLessMemoryThanOfLikeOnes) {
+  Random random;
+  double like = 0, unlike = 0;
+  for (int i = 0; i < 10; ++i) {
+    const LawChoice one = random_material(find_law("pressed"), random);
+    Laws laws({{"one.toml", "pressed", one.variant, one.parameters, {}, {}, {}},
+               {"one.toml", "pressed", one.variant, one.parameters, {}, {}, {}}},
+              0, {});
+    const auto before = static_cast<double>(laws.bytes());
+    for (const double R2 : {1.1e-3, 2e-3}) (void)laws.at(1e-3, R2);
+    like += before, unlike += (static_cast<double>(laws.bytes()) - before) / 2;
+  }
+  EXPECT_LT(unlike, like);
+}
+
 } // namespace
 } // namespace platen::dem

@@ -24,9 +24,9 @@ double partner(double R, Random& random) {
 }
 
 /// Nothing where there is no such material.
-std::optional<Law> made(const LawChoice& one, double R, double R2) {
+std::optional<Law> made(const LawChoice& one, double R, double R2, const TableAccuracy& accuracy = {}) {
   try {
-    return make_law(one, R, one, R2);
+    return make_law(one, R, one, R2, accuracy);
   } catch (const BadParameter&) { return {}; }
 }
 
@@ -127,7 +127,7 @@ TEST(Table, NeverCreatesEnergyOrFallsBelowZero) {
     for (int i = 0; i < 400 / share; ++i) {
       const LawChoice one = random_material(info, random);
       const double R = random.log_between(1e-5, 1e-1), R2 = partner(R, random);
-      const auto law = made(one, R, R2);
+      const auto law = made(one, R, R2, i % 2 ? coarse_table : TableAccuracy{});
       if (!law || may_create_energy(one)) continue;
       for (int path = 0; path < 25; ++path)
         expect_sound_path(*law, std::min(1.0, law->table->valid[0][1]) / law->scale.x_per_gamma, random);
