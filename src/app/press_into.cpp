@@ -43,6 +43,9 @@ Pressed press_into(const press::Case& c, const core::OutputFolder& folder, plot:
   const press::Result& result = pressed.result;
   const press::CurvePoint* end = press::loading_end(result.curve);
   const double reached = end ? end->delta_bar : 0;
+  if (result.out_of_memory)
+    throw core::IoError(fmt::format("{}; ask for fewer elements; the curve up to delta_bar = {:.4g} is in {}",
+                                    *result.failure, reached, (folder / "curve.csv").string()));
   if (result.failure) {
     print_flags(result);
     throw core::ConvergenceError(fmt::format("{}; the curve up to delta_bar = {:.4g} is in {}",

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -35,13 +36,16 @@ int give_up(Exit code, std::string_view why) {
 
 constexpr std::string_view no_memory = "the memory of this machine does not suffice; ask for fewer elements";
 
-/// Values of JSON allocate as they are destroyed, where no exception may pass: what is caught elsewhere ends
-/// here.
+std::atomic<bool> memory_was_short = false;
+void remember_short_memory() {
+  memory_was_short = true;
+  throw std::bad_alloc();
+}
+
+/// Values of JSON allocate as they are destroyed, and iterators of folders as they move on, where no
+/// exception may pass: what is caught elsewhere ends here, and is not always told what it was.
 [[noreturn]] void end_of_all() {
-  try {
-    if (const auto error = std::current_exception()) std::rethrow_exception(error);
-  } catch (const std::bad_alloc&) { std::_Exit(give_up(input_output, no_memory)); } catch (...) {
-  }
+  if (memory_was_short) std::_Exit(give_up(input_output, no_memory));
   std::abort();
 }
 
@@ -50,6 +54,7 @@ constexpr std::string_view no_memory = "the memory of this machine does not suff
 int run_program(int argc, char** argv, const std::function<void(Program&)>& add) {
   core::watch_for_interrupts();
   const auto before = std::set_terminate(end_of_all);
+  const auto before_new = std::set_new_handler(remember_short_memory);
   int status = done;
   try {
     Program program("platen", description, fmt::format("platen {} (engine {})", core::version, core::engine));
@@ -77,6 +82,7 @@ int run_program(int argc, char** argv, const std::function<void(Program&)>& add)
   if (std::fflush(stdout) != 0 && status == done)
     status = give_up(input_output, "the output could not be written; is the disk full?");
   std::set_terminate(before);
+  std::set_new_handler(before_new);
   return status;
 }
 

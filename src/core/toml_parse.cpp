@@ -6,6 +6,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <memory>
 
 namespace platen::core {
 namespace {
@@ -40,11 +41,21 @@ Table copy(const toml::table& source, const std::string& file, const std::string
   return table;
 }
 
+/// toml++ reads numbers through a stream, which calls one that it has no memory for no number. What is wrong
+/// in the text is wrong a second time, with more memory at hand.
+toml::table parse(std::string_view text, const std::string& file) {
+  auto held_back = std::make_unique<char[]>(1 << 16);
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error&) { held_back.reset(); }
+  return toml::parse(text, file);
+}
+
 } // namespace
 
 Table parse_toml(std::string_view text, const std::string& file) {
   try {
-    return copy(toml::parse(text, file), file, "");
+    return copy(parse(text, file), file, "");
   } catch (const toml::parse_error& error) {
     std::string why(error.description());
     for (char& c : why)

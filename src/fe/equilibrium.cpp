@@ -26,8 +26,6 @@ Cause cause_of(Outcome outcome) {
     return Cause::none;
   case Outcome::singular:
     return Cause::singular;
-  case Outcome::no_memory:
-    return Cause::no_memory;
   case Outcome::steps:
     return Cause::stalled;
   }

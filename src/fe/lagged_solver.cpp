@@ -57,9 +57,7 @@ Outcome LaggedSolver::matrix(std::span<const double> element_matrices) {
 Outcome LaggedSolver::factorise() {
   Stopwatch watch(factorisation_s);
   wanted = true; // unless it succeeds: what is there of the factors is of no matrix
-  try {
-    if (!direct.factorise(matrices)) return Outcome::singular;
-  } catch (const std::bad_alloc&) { return Outcome::no_memory; }
+  if (!direct.factorise(matrices)) return Outcome::singular;
   fresh = true;
   wanted = false;
   spent = factorisation_cost;

@@ -12,7 +12,7 @@
 
 namespace platen::fe {
 
-enum class [[nodiscard]] Outcome{done, singular, no_memory, steps};
+enum class [[nodiscard]] Outcome{done, singular, steps};
 
 class LaggedSolver {
  public:

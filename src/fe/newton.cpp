@@ -18,8 +18,6 @@ std::string_view words(Cause cause) {
     return "the tangent is singular";
   case Cause::stalled:
     return "the linear system could not be solved";
-  case Cause::no_memory:
-    return "there is not enough memory to solve for the tangent";
   }
   return "";
 }

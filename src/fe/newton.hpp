@@ -25,8 +25,7 @@ enum class Cause {
   diverged,
   too_many_iterations,
   singular,
-  stalled,
-  no_memory
+  stalled
 };
 std::string_view words(Cause);
 

@@ -72,7 +72,11 @@ template <fe::Element E> class Driver {
     const auto start = std::chrono::steady_clock::now();
     try {
       load();
-    } catch (const Stop&) { result.interrupted = true; }
+    } catch (const Stop&) { result.interrupted = true; } catch (const std::bad_alloc&) {
+      if (result.curve.points.empty()) throw;
+      result.out_of_memory = true;
+      result.failure = stopped("the memory of this machine does not suffice");
+    }
     result.flags = flags_of(stepper.solid(), state.points);
     observer.report(result);
     auto& points = result.curve.points;
@@ -246,11 +250,14 @@ template <fe::Element E> class Driver {
   }
 
   void fail() {
-    const CurvePoint& at = state.row;
-    const bool own_ways = !motion.turns.empty();
-    result.failure = fmt::format("stopped at {} = {:.5g}, F = {:.5g} N: {}, also in steps of {:.0e}{}",
-                                 own_ways ? "a way of the planes of delta/R0" : "delta_bar", state.time,
-                                 at.force_N, fe::words(why), rule.smallest, limit_load());
+    result.failure =
+        stopped(fmt::format("{}, also in steps of {:.0e}{}", fe::words(why), rule.smallest, limit_load()));
+  }
+
+  std::string stopped(std::string_view because) const {
+    return fmt::format("stopped at {} = {:.5g}, F = {:.5g} N: {}",
+                       motion.turns.empty() ? "delta_bar" : "a way of the planes of delta/R0", state.time,
+                       state.row.force_N, because);
   }
 
   /// Whether the particle, not the iteration, is what gave way: it flows as a whole, or the force has had its

@@ -82,6 +82,7 @@ struct Result {
   Statistics statistics;
   std::vector<std::string> flags; ///< plain sentences: "relative density capped at 1 in ... of the volume"
   std::optional<std::string> failure; ///< set when the press stopped early: at which delta_bar, and why
+  bool out_of_memory = false;         ///< that was why
   bool interrupted = false;           ///< the callback asked to stop
   std::optional<ErrorEstimate> error; ///< where it was asked for
   // Of the local press:

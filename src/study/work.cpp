@@ -44,7 +44,8 @@ void press_one(const Run& run, const Store& store, const std::string& key, const
   const auto result = press(run.press_case, [&](double, const press::CurvePoint& point) {
     return !core::interrupted() && !(run.stop_at > 0 && point.delta_bar > run.stop_at);
   });
-  if (result.interrupted) stop_where_asked(store); // unless it stopped where the run says
+  if (result.out_of_memory) throw core::IoError(*result.failure); // another machine may have enough
+  if (result.interrupted) stop_where_asked(store);                // unless it stopped where the run says
   store.keep(key, run.press_case, result,
              {cpu_now() - cpu, std::chrono::duration<double>(Clock::now() - start).count()});
 }

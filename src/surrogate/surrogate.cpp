@@ -122,6 +122,7 @@ CoarsePress press_guide(const Surrogate& s, const material::Material& material) 
   simple.elements = s.guide->elements;
   simple.step_max = s.guide->step_max;
   const auto result = press::press({material, 1e-3, simple});
+  if (result.out_of_memory) throw core::IoError(*result.failure);
   CoarsePress said;
   for (const auto& point : study::on_grid(result.curve, 0.01)) { // as the pools have it
     if (said.F_bar.size() == s.knots.size()) break;
