@@ -1,8 +1,7 @@
-"""bundled.py WHEEL: puts the licence texts of the libraries that auditwheel copied into a wheel, and a list of them
-(CycloneDX 1.5; auditwheel's own has no more those that were changed before), into its .dist-info; the list beside the wheel
-too. Debian says which package a library is of."""
+"""bundled.py WHEEL: puts the licence texts of the libraries that auditwheel copied into a wheel, and of what is compiled into its
+module, and a list of them (auditwheel's own has no more those that were changed before), into its .dist-info; the list beside the
+wheel too. Debian says which package a library is of."""
 
-import json
 import os
 import pathlib
 import shutil
@@ -10,6 +9,11 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "cmake"))
+import third_party  # noqa: E402
+
+COMPILED_IN = ["debian:libceres-dev", "debian:libeigen3-dev", "debian:libfmt-dev", "debian:libtomlplusplus-dev", "debian:nlohmann-json3-dev",
+               "pypi:nanobind"]
 
 def run(*command: str) -> str:
     return subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
@@ -40,16 +44,9 @@ def main(wheel: pathlib.Path) -> None:
         libraries = [file.name for file in root.glob("*.libs/*")]
         if not libraries:
             sys.exit(f"bundled.py: {wheel} carries no libraries; auditwheel must have repaired it")
-        (info / "licenses" / "bundled").mkdir(parents=True)
         (info / "sboms").mkdir(exist_ok=True)
-        components = []
-        for name in packages_of(libraries):
-            shutil.copyfile(f"/usr/share/doc/{name}/copyright", info / "licenses" / "bundled" / f"{name}.txt")
-            version = run("dpkg-query", "-W", "-f", "${Version}", name)
-            components.append({"type": "library", "name": name, "version": version, "purl": f"pkg:deb/debian/{name}@{version}"})
-        bill = {"bomFormat": "CycloneDX", "specVersion": "1.5", "version": 1, "components": components}
-        for place in (info / "sboms", wheel.parent):
-            (place / "bundled.cdx.json").write_text(json.dumps(bill, indent=1) + "\n")
+        third_party.write([f"debian:{name}" for name in packages_of(libraries)] + COMPILED_IN, info / "licenses" / "bundled",
+                          info / "sboms" / "bundled.cdx.json", wheel.parent / "bundled.cdx.json")
         run(sys.executable, "-P", "-m", "wheel", "pack", "-d", folder, str(root))
         os.replace(shutil.copy(pathlib.Path(folder, wheel.name), f"{wheel}.new"), wheel)
 

@@ -9,7 +9,7 @@ for tool in python3 node make wasm-opt; do
   command -v $tool >/dev/null || { echo "web/build.sh: $tool is missing; Debian has it in: python3-venv nodejs make binaryen" >&2; exit 5; }
 done
 build=${PLATEN_WEB_BUILD:-build/web}
-ziglang=0.17.1 # its clang, libc++ and wasi-libc
+ziglang=$(sed -n 's/^ziglang==//p' constraints.txt) # its clang, libc++ and wasi-libc
 venv=build/venv
 if [ -z "${ZIG:-}" ]; then
   [ -x $venv/bin/python ] || python3 -m venv $venv

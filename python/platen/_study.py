@@ -119,9 +119,9 @@ class Study:
         return Curve(self._study.curve(key))
 
     def merge(self, stores: Iterable[str | os.PathLike[str]], *, old: str = "") -> int:
-        """Copies runs of other stores that are not here yet; how many."""
-        copied, damaged = self._study.merge([os.fspath(store) for store in stores], old)
-        tell(f"{what}; the run was left out" for what in damaged)
+        """Copies runs of other stores that are not here yet, or damaged; how many."""
+        copied, left_out = self._study.merge([os.fspath(store) for store in stores], old)
+        tell(f"{what}; the run was left out" for what in left_out)
         return copied
 
     def batch_script(self, *, tasks: int = 16, slurm: Iterable[str] = ()) -> str:

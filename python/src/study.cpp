@@ -234,7 +234,7 @@ void add_study(nb::module_& m) {
               for (const auto& folder : folders) others.emplace_back(folder, s.study.name);
               return store.merge(others, old_runs(old));
             });
-            return std::pair{merged.copied, merged.damaged};
+            return std::pair{merged.copied, merged.left_out};
           },
           nb::arg("folders"), nb::arg("old"))
       .def(

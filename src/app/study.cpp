@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 namespace platen::app {
@@ -39,6 +40,8 @@ study::Store store_of(const study::Study& s, const Options& o) {
 }
 
 void print_tally(const study::Tally& t, const study::Store& store) {
+  if (!std::filesystem::exists(store.folder()))
+    core::say_line(fmt::format("note: there is no folder {} yet", store.folder().string()));
   const int there = t.done + t.failed, left = t.runs - there, claimed = store.claimed();
   fmt::print("{} runs: {} done, {} failed, {} left; {:.0f} s CPU, {:.0f} s wall in presses; store {}\n",
              t.runs, t.done, t.failed, left, t.cpu_s, t.wall_s, store.folder().string());
@@ -102,7 +105,7 @@ void merge(const Options& o) {
   std::vector<study::Store> others;
   for (const auto& other : o.others) others.emplace_back(other, s.name);
   const auto merged = store.merge(others, o.old());
-  for (const auto& what : merged.damaged) core::say(fmt::format("note: {}; the run was left out\n", what));
+  for (const auto& what : merged.left_out) core::say(fmt::format("note: {}; the run was left out\n", what));
   fmt::print("{} runs copied to {}\n", merged.copied, store.folder().string());
 }
 

@@ -163,10 +163,13 @@ std::optional<Quantity> quantity_from(std::string_view text) {
 }
 
 std::string si_key(std::string_view bare, std::span<const std::string> known) {
-  for (const auto si : si_units)
-    if (std::string key = fmt::format("{}_{}", bare, si);
-        key != no_length && std::find(known.begin(), known.end(), key) != known.end())
-      return key;
+  for (const auto si : si_units) {
+    const auto found = std::ranges::find_if(known, [&](const std::string& key) {
+      return key.size() == bare.size() + 1 + si.size() && key.starts_with(bare) && key[bare.size()] == '_' &&
+             key.ends_with(si) && key != no_length;
+    });
+    if (found != known.end()) return *found;
+  }
   return {};
 }
 

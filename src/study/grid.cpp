@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace platen::study {
@@ -112,6 +113,35 @@ std::vector<GridPoint> on_grid(const press::Curve& curve, double step) {
     add_branch(rows, curve, points, step);
   }
   return rows;
+}
+
+double difference(const press::Curve& a, const press::Curve& b) {
+  constexpr double other = std::numeric_limits<double>::infinity();
+  const auto* end = press::loading_end(a);
+  if (!end || !press::loading_end(b)) return a.points.empty() && b.points.empty() ? 0 : other;
+  const double step = end->delta_bar / 20.5; // the last row is not at the end, where either may have it
+  const auto left = on_grid(a, step), right = on_grid(b, step);
+  const auto same_branch = [](const GridPoint& l, const GridPoint& r) {
+    return l.branch_id == r.branch_id && l.branch == r.branch;
+  };
+  if (!std::ranges::equal(left, right, same_branch)) return other;
+  double largest = 0;
+  const auto compare = [&](auto of) {
+    double scale = 0, apart = 0;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+      scale = std::max(scale, std::abs(of(left[i])));
+      apart = std::max(apart, std::abs(of(left[i]) - of(right[i])));
+    }
+    if (apart > 0) largest = std::max(largest, apart / scale);
+  };
+  compare([](const GridPoint& row) { return row.delta_bar; });
+  for (const auto wall : {&GridPoint::x, &GridPoint::y}) {
+    compare([&](const GridPoint& row) { return (row.*wall).value_or(Contact{}).F_bar; });
+    compare([&](const GridPoint& row) { return (row.*wall).value_or(Contact{}).a_bar; });
+  }
+  compare([](const GridPoint& row) { return row.z.F_bar; });
+  compare([](const GridPoint& row) { return row.z.a_bar; });
+  return largest;
 }
 
 } // namespace platen::study

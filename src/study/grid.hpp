@@ -28,6 +28,10 @@ struct GridPoint {
 /// step.
 std::vector<GridPoint> on_grid(const press::Curve&, double step);
 
+/// The largest difference of two curves of one case, over the largest value of its column, on a grid of
+/// twenty steps. Infinity where they have other branches or ends.
+double difference(const press::Curve&, const press::Curve&);
+
 /// Monotone cubic interpolation (Fritsch & Butland 1984): no overshoot. x ascends or descends strictly, and
 /// `at` lies within it.
 double interpolate(std::span<const double> x, std::span<const double> y, double at);

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <sqlite3.h>
 
+#include <cstring>
 #include <memory>
 
 namespace platen::study {
@@ -68,9 +69,11 @@ class Database {
     return sqlite3_bind_null(statement, place);
   }
   void check(int status) const {
-    if (status != SQLITE_OK)
-      throw core::IoError(
-          fmt::format("{}: cannot be written: {}", path_.string(), sqlite3_errmsg(base_.get())));
+    if (status == SQLITE_OK) return;
+    const int error = sqlite3_system_errno(base_.get());
+    throw core::IoError(fmt::format("{}: cannot be written: {}{}", path_.string(),
+                                    sqlite3_errmsg(base_.get()),
+                                    error ? fmt::format(" ({})", std::strerror(error)) : ""));
   }
 
   std::filesystem::path path_;

@@ -7,6 +7,7 @@
 #include "press/case_card.hpp"
 #include "press/curve_csv.hpp"
 #include "press/summary.hpp"
+#include "study/grid.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -15,10 +16,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <random>
+#include <sstream>
 
 namespace platen::study {
 namespace {
@@ -45,7 +48,8 @@ std::string sum_line(const std::string& name, std::string_view content) {
   return fmt::format("{}  {}\n", core::sha256(content), name);
 }
 
-/// study.txt: "ENGINE STUDY", then "keep ENGINE" for each other engine whose runs count.
+/// study.txt: "ENGINE STUDY", then "keep ENGINE" for each other engine whose runs count. InvalidInput for
+/// anything else.
 struct Head {
   int engine = 0; ///< 0: there is no such file
   std::string study;
@@ -56,9 +60,19 @@ Head read_head(const fs::path& store) {
   std::ifstream file(store / "study.txt");
   if (!file) return head;
   file >> head.engine >> std::ws;
-  std::getline(file, head.study);
-  std::string word;
-  for (int engine = 0; file >> word >> engine;) head.kept.push_back(engine);
+  bool good = static_cast<bool>(std::getline(file, head.study)) && head.engine > 0;
+  for (std::string line; good && std::getline(file, line);) {
+    std::istringstream words(line);
+    std::string keep, more;
+    int engine = 0;
+    good = words >> keep >> engine && keep == "keep" && engine > 0 && !(words >> more);
+    head.kept.push_back(engine);
+  }
+  if (!good)
+    throw core::InvalidInput(fmt::format(
+        "{}: is not as it was written: the number of an engine and the name of the study, then lines "
+        "'keep ENGINE'; mend it, or give another folder",
+        (store / "study.txt").string()));
   return head;
 }
 
@@ -170,18 +184,19 @@ Store::State Store::state(const std::string& key) const {
 }
 
 Store::State Store::verified(const std::string& key) const {
-  const State there = state(key);
-  return there == State::missing || damage(key).empty() ? there : State::damaged;
+  return damage(key).empty() ? state(key) : State::damaged;
 }
 
 std::string Store::damage(const std::string& key) const {
   const fs::path folder = run(key);
+  if (state(key) == State::missing)
+    return fs::exists(fs::symlink_status(folder)) ? folder.string() + ": is no folder of a run" : "";
   const bool failed = state(key) == State::failed;
   const auto is_wrong = [&](std::string_view name, std::string_view what) {
     return fmt::format("{}: {}", (folder / name).string(), what);
   };
   const bool summed =
-      fs::exists(folder / "sums.txt"); // older programs wrote none, and at first no identity.txt
+      fs::is_regular_file(folder / "sums.txt"); // older programs wrote none, and at first no identity.txt
   std::vector<std::string> names(run_files.begin(), run_files.end());
   if (failed) names.emplace_back("failure.txt");
   std::string sums;
@@ -190,6 +205,7 @@ std::string Store::damage(const std::string& key) const {
       if (!summed && name == "identity.txt") continue;
       return is_wrong(name, "is missing");
     }
+    if (!fs::is_regular_file(folder / name)) return is_wrong(name, "is no file");
     const std::string content = core::read_file(folder / name);
     if (!content.ends_with('\n')) return is_wrong(name, "has no end");
     if (name == "identity.txt" && core::sha256(content).substr(0, 32) != key)
@@ -292,6 +308,17 @@ std::string Store::failure(const std::string& key) const {
   return line;
 }
 
+/// What is against taking the run of another store for the one here; empty: nothing.
+std::string Store::contradiction(const Store& other, const std::string& key) const {
+  const fs::path here = run(key) / "curve.csv", there = other.run(key) / "curve.csv";
+  if (core::read_file(here) == core::read_file(there)) return {};
+  constexpr double tolerance = 1e-3; // other processors round otherwise; as in `study check`
+  const double apart = difference(press::read_curve(here), press::read_curve(there));
+  if (apart <= tolerance) return {};
+  if (!std::isfinite(apart)) return there.string() + ": has other branches than the one that is here";
+  return fmt::format("{}: differs by {:.2g} % from the one that is here", there.string(), 100 * apart);
+}
+
 Store::Merged Store::merge(const std::vector<Store>& others, OldRuns old) {
   for (const auto& other : others) {
     if (read_head(other.folder_).engine == 0)
@@ -317,7 +344,8 @@ Store::Merged Store::merge(const std::vector<Store>& others, OldRuns old) {
   const auto publish_all = [&] {
     sync_all(folder_);
     for (const auto& copy : copies) {
-      if (state(copy.key) == State::failed) forget(copy.key);
+      if (const State here = verified(copy.key); here == State::failed || here == State::damaged)
+        forget(copy.key);
       merged.copied += publish(copy.folder, copy.key);
     }
     core::sync_folder(folder_ / "runs");
@@ -327,13 +355,16 @@ Store::Merged Store::merge(const std::vector<Store>& others, OldRuns old) {
   for (const auto& other : others)
     for (const auto& entry : fs::directory_iterator(other.folder_ / "runs")) {
       const std::string key = entry.path().filename().string();
-      if (key.starts_with('.') || !entry.is_directory()) continue;
-      const State here = state(key);
-      if (here == State::done || (here == State::failed && other.state(key) == State::failed)) continue;
+      if (key.starts_with('.')) continue;
       if (const std::string wrong = other.damage(key); !wrong.empty()) {
-        merged.damaged.push_back(wrong);
+        merged.left_out.push_back(wrong);
         continue;
       }
+      const State here = verified(key), there = other.state(key);
+      if (here == State::done && there == State::done)
+        if (const std::string wrong = contradiction(other, key); !wrong.empty())
+          merged.left_out.push_back(wrong);
+      if (here == State::done || (here == State::failed && there == State::failed)) continue;
       auto mine = claims_.take(key);
       if (!mine) continue;
       const fs::path copy = temporary(key);

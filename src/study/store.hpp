@@ -28,7 +28,7 @@ enum class OldRuns { ask, keep, recompute };
 class Store {
  public:
   /// Opens without writing. `study`: its name. A store of another engine is read as if its runs were kept.
-  /// InvalidInput for runs of another study.
+  /// InvalidInput for runs of another study, and for a study.txt that cannot be read.
   Store(std::filesystem::path folder, std::string study, Pace = {});
 
   /// Makes the folder, or checks it, and sweeps up what killed processes left. IoError where it cannot be
@@ -75,15 +75,16 @@ class Store {
 
   struct Merged {
     int copied = 0;
-    std::vector<std::string> damaged; ///< what is wrong with those that were left out
+    std::vector<std::string> left_out; ///< runs, and why: damaged, or with another result than the one here
   };
-  /// Opens for writing and copies runs that are not here yet. InvalidInput, before anything is
+  /// Opens for writing and copies runs that are not here yet, or damaged. InvalidInput, before anything is
   /// written, where one is no store, or has runs of an engine whose runs do not count here and are not to be
   /// kept.
   Merged merge(const std::vector<Store>& others, OldRuns);
 
  private:
   void sweep();
+  std::string contradiction(const Store& other, const std::string& key) const;
   std::filesystem::path temporary(const std::string& key) const;
   bool publish(const std::filesystem::path& temporary, const std::string& key) const;
 

@@ -48,6 +48,13 @@ int left_in(const Study& s, const Store& store) {
   return t.runs - t.done - t.failed;
 }
 
+/// In the name of a file, where Slurm takes % for the number of a job.
+std::string percents_doubled(const std::string& text) {
+  std::string result;
+  for (const char c : text) result += c == '%' ? std::string("%%") : std::string(1, c);
+  return result;
+}
+
 std::string script_of(const Study& s, const Store& store, const Job& job, int left) {
   std::string name;
   for (const char c : s.name) name += std::isalnum(static_cast<unsigned char>(c)) || c == '.' ? c : '-';
@@ -61,7 +68,7 @@ std::string script_of(const Study& s, const Store& store, const Job& job, int le
                   "#SBATCH --cpus-per-task=1\n"
                   "#SBATCH --output=\"{}\"\n",
                   name, std::clamp(left, 1, job.tasks),
-                  (std::filesystem::absolute(store.folder()) / "slurm-%A_%a.log").string());
+                  percents_doubled(std::filesystem::absolute(store.folder()).string()) + "/slurm-%A_%a.log");
   for (const auto& option : job.options) script += fmt::format("#SBATCH {}\n", option);
   script += "export OPENBLAS_NUM_THREADS=1\n";
   if (const char* catalogue = std::getenv("PLATEN_CATALOGUE"); catalogue && *catalogue)

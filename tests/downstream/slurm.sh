@@ -59,6 +59,7 @@ for line in '#SBATCH --array=1-3' '#SBATCH --time=5' "study run '$folder/$study'
   grep -qF -- "$line" script || fails "the batch script has no line $line: $(cat script)"
 done
 [ -e store ] && fails "--dry-run wrote something"
+"$platen" study submit "$study" --store "half%A" --dry-run | grep -qF "half%%A/slurm-%A_%a.log" || fails "a % in the path is a pattern"
 bash -n script || fails "the batch script is none"
 
 for program in munged munge slurmctld slurmd sbatch; do

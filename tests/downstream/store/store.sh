@@ -101,15 +101,41 @@ truncate -s -20 "damaged/runs/${keys[0]}/curve.csv"
 rm -r "damaged/runs/${keys[1]}" && cp -r "whole/runs/${keys[2]}" "damaged/runs/${keys[1]}"
 sed -i '$ s/1/2/' "damaged/runs/${keys[3]}/curve.csv"
 rm "damaged/runs/${keys[4]}/summary.json"
+rm -r "damaged/runs/${keys[5]}" && echo foreign >"damaged/runs/${keys[5]}"
+rm -r "damaged/runs/${keys[6]}" && ln -s nowhere "damaged/runs/${keys[6]}"
+rm "damaged/runs/${keys[7]}/curve.csv" && mkdir "damaged/runs/${keys[7]}/curve.csv"
 "$platen" study export study.toml --store damaged -o damaged.csv 2>answer
-[ $? -eq 4 ] && grep -q '4 of 60 runs are damaged' answer && [ "$(grep -c ',damaged,' damaged.csv)" = 4 ] ||
+[ $? -eq 4 ] && grep -q '7 of 60 runs are damaged' answer && [ "$(grep -c ',damaged,' damaged.csv)" = 7 ] ||
   fails "damaged runs were exported: $(cat answer)"
 "$platen" study merge study.toml --store merged --from damaged >answer 2>&1
-grep -q '^56 runs copied' answer && [ "$(grep -c 'the run was left out' answer)" = 4 ] || fails "damaged runs were merged: $(cat answer)"
+grep -q '^53 runs copied' answer && [ "$(grep -c 'the run was left out' answer)" = 7 ] || fails "damaged runs were merged: $(cat answer)"
 cp -r damaged mended
 "$worker" study.toml mended 1 0 mended.log 2>answer || fails "a damaged store is not mended"
-[ "$(grep -c 'pressed again' answer)" = 4 ] || fails "damaged runs are not named: $(cat answer)"
+[ "$(grep -c 'pressed again' answer)" = 7 ] || fails "damaged runs are not named: $(cat answer)"
 same mended
+cp -r damaged merged_over
+"$platen" study merge study.toml --store merged_over --from whole | grep -q '^7 runs copied' || fails "whole runs are not taken for damaged ones"
+same merged_over
+
+# --- full and read-only file systems say so, and can be read ---
+if mkdir small && mount -t tmpfs -o size=64k tmpfs small 2>/dev/null; then
+  trap 'umount "$folder/small"; rm -rf "$folder"' EXIT
+  "$worker" study.toml small/store 2 0 small.log 2>answer
+  [ $? -eq 4 ] && grep -q 'No space left on device; free some space' answer || fails "a full disk: $(cat answer)"
+  status small/store >/dev/null || fails "a store on a full disk cannot be read"
+  mount -o remount,size=8m small
+  "$worker" study.toml small/store 2 0 small.log || fails "the study does not go on when there is room"
+  same small/store
+  mount -o remount,ro small
+  "$platen" study run study.toml --store small/store --workers 1 2>answer
+  [ $? -eq 4 ] && grep -q 'Read-only file system' answer || fails "a read-only disk: $(cat answer)"
+  status small/store | grep -q '60 done' && "$platen" study export study.toml --store small/store -o read-only.csv ||
+    fails "a store on a read-only disk cannot be read"
+  umount small
+  trap 'rm -rf "$folder"' EXIT
+else
+  echo "store: nothing can be mounted here"
+fi
 
 # --- two stores that both grew ---
 for half in one two; do cp -r whole $half; done

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 using namespace platen;
@@ -89,4 +90,18 @@ TEST(Grid, OfAPathThatTurnsIsItsSteps) {
   ASSERT_EQ(rows.size(), 5u);
   EXPECT_EQ(rows[3].delta_bar, c.points[3].delta_bar);
   EXPECT_TRUE(rows[0].x && rows[0].y);
+}
+
+TEST(Difference, IsTheLargestOfAnyColumn) {
+  const auto one = curve();
+  EXPECT_EQ(difference(one, one), 0);
+  auto other = one;
+  for (auto& point : other.points) point.contact_radius_m *= 1.03;
+  EXPECT_NEAR(difference(one, other), 0.03, 1e-9);
+  auto shorter = one;
+  shorter.points.resize(shorter.points.size() - 32);
+  EXPECT_EQ(difference(one, shorter), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(difference(shorter, one), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(difference({}, one), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(difference({}, {}), 0);
 }

@@ -197,6 +197,65 @@ TEST_F(RunStore, SeesWhatIsNotAsItWasWritten) {
             std::string::npos);
 }
 
+TEST_F(RunStore, SeesWhatIsNoRun) {
+  auto s = store();
+  const auto key = s.key(small_case());
+  const auto run = s.run(key);
+  const auto is_damaged = [&](const std::string& what) {
+    EXPECT_EQ(s.verified(key), Store::State::damaged) << what;
+    EXPECT_NE(s.forget_damaged(key).find(what), std::string::npos) << s.damage(key);
+    EXPECT_EQ(s.verified(key), Store::State::missing) << what;
+  };
+  core::write_file(run, "a file\n");
+  is_damaged("is no folder");
+  fs::create_symlink("nowhere", run);
+  is_damaged("is no folder");
+  fs::create_directory(run);
+  is_damaged("case.toml: is missing");
+  s.keep(key, small_case(), press::press(small_case()), {1, 1});
+  fs::remove(run / "curve.csv");
+  fs::create_directory(run / "curve.csv");
+  is_damaged("curve.csv: is no file");
+}
+
+TEST_F(RunStore, WhoseStudyCannotBeReadIsRefused) {
+  (void)store();
+  for (const char* content :
+       {"", "a file\n", "0 s\n", "6\n", "6 s\nkeep\n", "6 s\nkept 5\n", "6 s\nkeep 5 4\n"}) {
+    write("study.txt", content);
+    EXPECT_THROW(Store(folder_ / "store", "s"), core::InvalidInput) << content;
+  }
+  write("study.txt", "6 s\nkeep 5\nkeep 4\n");
+  EXPECT_EQ(Store(folder_ / "store", "s").engines().size(), 3U);
+}
+
+TEST_F(RunStore, TakesAWholeRunForADamagedOneAndLeavesOutWhatDiffers) {
+  auto s = store();
+  const auto key = s.key(small_case());
+  auto result = press::press(small_case());
+  s.keep(key, small_case(), result, {1, 1});
+  const auto other = [&](const char* name) {
+    for (auto& point : result.curve.points) point.force_N *= 1.02, point.F_bar *= 1.02;
+    Store store(folder_ / name, "s");
+    store.open_for_writing(OldRuns::ask);
+    store.keep(key, small_case(), result, {2, 2});
+    return store;
+  };
+  const auto differs = s.merge({other("other")}, OldRuns::ask);
+  EXPECT_EQ(differs.copied, 0);
+  ASSERT_EQ(differs.left_out.size(), 1U);
+  EXPECT_NE(differs.left_out[0].find("differs by 2 % from the one that is here"), std::string::npos)
+      << differs.left_out[0];
+  EXPECT_EQ(s.cost(key).cpu_s, 1);
+
+  write("runs/" + key + "/curve.csv", "half\n");
+  const auto mended = s.merge({other("another")}, OldRuns::ask);
+  EXPECT_EQ(mended.copied, 1);
+  EXPECT_TRUE(mended.left_out.empty());
+  EXPECT_EQ(s.verified(key), Store::State::done);
+  EXPECT_EQ(s.cost(key).cpu_s, 2);
+}
+
 TEST_F(RunStore, OfAnOlderProgramHasNoSumsAndIsReadAllTheSame) {
   auto s = store();
   const auto key = s.key(small_case());
