@@ -57,6 +57,20 @@ TEST(Doubt, AGapAndALoadCellOffZeroAreRefused) {
   EXPECT_FALSE(refuses(fitted));
 }
 
+TEST(Doubt, ARowWithoutForceAmongThoseWithItIsRefused) {
+  for (const double lost : {0.0, -0.4}) {
+    auto claim = granule();
+    claim.force_N[60] = lost;
+    claim.contact_known = true;
+    ASSERT_TRUE(refuses(claim));
+    EXPECT_NE(first(claim).find("N at delta = 60 um, and was"), std::string::npos) << first(claim);
+  }
+  auto noise = granule(); // about no force, before and at the beginning of contact
+  for (std::size_t i = 0; i < 6; ++i) noise.force_N[i] += i % 2 ? 0.3 : -0.3;
+  noise.contact_known = true;
+  EXPECT_EQ(first(noise), "");
+}
+
 TEST(Doubt, StifferThanHertzIsRefused) {
   auto claim = granule(1, 1);
   claim.E_Pa = 2e7; // typed 100 times too low
