@@ -88,17 +88,19 @@ class Gate {
                       at_start, at_start / force_max_));
   }
 
-  /// While the platens approach, a particle that carried force goes on to carry some.
+  /// While the platens approach, a particle that carried force goes on to carry some. Where the contact point
+  /// was fitted, loops are among the rows, and R2 tells.
   void dropout() {
+    if (c_.contact_known) return;
     double before = 0;
     for (std::size_t i = 0; i < c_.force_N.size(); ++i) {
       const double F = c_.force_N[i];
       if (F <= 0 && before > loaded * force_max_)
-        return say(
-            true,
-            fmt::format("the force is {:.3g} N at delta = {:.4g} um, and was {:.3g} N before: the load "
-                        "cell lost it, or the particle broke; cut the file there, or leave such rows out",
-                        F, c_.delta_m[i] * 1e6, before));
+        return say(true,
+                   fmt::format("the force is {:.3g} N at delta = {:.4g} um, and was {:.3g} N before: the "
+                               "load cell lost it, or the particle broke; cut the file there, or leave "
+                               "such rows out",
+                               F, c_.delta_m[i] * 1e6, before));
       before = std::max(before, F);
     }
   }
