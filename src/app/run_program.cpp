@@ -41,6 +41,7 @@ constexpr std::string_view no_memory = "the memory of this machine does not suff
   try {
     if (const auto error = std::current_exception()) std::rethrow_exception(error);
   } catch (const std::bad_alloc&) { std::_Exit(give_up(input_output, no_memory)); } catch (...) {
+    std::abort();
   }
   std::abort();
 }
