@@ -105,7 +105,7 @@ PLATEN_FUZZ {
   static std::unique_ptr<LAMMPS> lmp;
   static int served = 0;
   if (!lmp || ++served % 1000 == 0) lmp = two_spheres();
-  const std::string every = std::string("pair_coeff * * ") + PLATEN_FUZZ_CARDS + "/edmans-sinka.toml";
+  const std::string every = std::string("pair_coeff * * ") + PLATEN_FUZZ_CARDS + "/hertz.toml";
   for (const std::string& line : {std::string("pair_style none"), std::string("pair_style platen"), every})
     lmp->input->one(line);
   try {
