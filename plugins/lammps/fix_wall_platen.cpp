@@ -44,15 +44,16 @@ FixWallPlaten::FixWallPlaten(LAMMPS* host, int narg, char** arg) : Fix(host, nar
     inward_ = side == "lo" ? 1 : -1;
   }
   if (next >= narg) error->all(FLERR, usage);
-  position_ = utils::numeric(FLERR, arg[next++], false, lmp);
+  const auto number = [&](const char* text) { return platen_number(error, FLERR, who, text, lmp); };
+  position_ = number(arg[next++]);
   if (cylinder_ && !(position_ > 0)) error->all(FLERR, std::string(who) + ": the radius must be positive");
   for (; next < narg; next += 2) {
     if (next + 1 >= narg) error->all(FLERR, usage);
     const std::string key = arg[next];
     const char* value = arg[next + 1];
-    if (key == "damping") contact_.restitution = utils::numeric(FLERR, value, false, lmp);
-    else if (key == "friction") contact_.friction = utils::numeric(FLERR, value, false, lmp);
-    else if (key == "mass") mass_ = utils::numeric(FLERR, value, false, lmp);
+    if (key == "damping") contact_.restitution = number(value);
+    else if (key == "friction") contact_.friction = number(value);
+    else if (key == "mass") mass_ = number(value);
     else if ((key == "velocity" || key == "force") && !cylinder_ && drive_ == Drive::fixed) {
       drive_ = key == "force" ? Drive::force : Drive::velocity;
       drive_value_ = value;
@@ -102,7 +103,7 @@ void FixWallPlaten::setup(int vflag) {
 }
 
 double FixWallPlaten::driven(const std::string& text) const {
-  if (text.rfind("v_", 0) != 0) return utils::numeric(FLERR, text.c_str(), false, lmp);
+  if (text.rfind("v_", 0) != 0) return platen_number(error, FLERR, who, text.c_str(), lmp);
   const int variable = input->variable->find(text.c_str() + 2);
   if (variable < 0 || !input->variable->equalstyle(variable))
     error->all(FLERR, std::string(who) + ": there is no equal-style variable " + text.substr(2));
@@ -118,6 +119,10 @@ void FixWallPlaten::initial_integrate(int) {
   if (drive_ == Drive::velocity) velocity_ = value;
   else velocity_ += update->dt * (value + total_[axis_]) / mass_;
   position_ += velocity_ * update->dt;
+  if (!std::isfinite(position_))
+    error->all(FLERR, std::string(who) +
+                          ": the wall's position is not finite any more; are its velocity, force "
+                          "and mass right?");
 }
 
 void FixWallPlaten::post_force(int) {

@@ -8,6 +8,7 @@
 #include "update.h"
 #include "utils.h"
 
+#include <cmath>
 #include <cstring>
 
 namespace LAMMPS_NS {
@@ -22,6 +23,14 @@ auto platen_try(Error* error, const char* file, int line, const std::string& who
   } catch (const std::exception& problem) { why = who + ": " + problem.what(); }
   if (one) error->one(file, line, why);
   error->all(file, line, why);
+}
+
+/// A number of the input; LAMMPS reads 1e999 as infinity.
+inline double platen_number(Error* error, const char* file, int line, const std::string& who,
+                            const char* text, LAMMPS* lmp) {
+  const double value = utils::numeric(file, line, text, false, lmp);
+  if (!std::isfinite(value)) error->all(file, line, who + ": " + text + " is not finite");
+  return value;
 }
 
 inline platen::dem::Units platen_units(Error* error, const Update* update, const std::string& who) {

@@ -22,7 +22,8 @@ namespace law = platen::law;
 
 // The loops over contacts twice, for any processor and for those with fused multiply-add (of 2013 and later),
 // chosen when the program starts: a fifth faster there.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12 && defined(__GLIBC__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12 &&                     \
+    defined(__GLIBC__) && !defined(PLATEN_PLAIN)
 #define PLATEN_CLONES __attribute__((target_clones("arch=x86-64-v3", "default")))
 #else
 #define PLATEN_CLONES
@@ -67,7 +68,12 @@ void PairPlaten::allocate() {
   memory->create(cutsq, n, n, "pair:cutsq");
   for (int i = 0; i < n; i++)
     for (int j = 0; j < n; j++) setflag[i][j] = 0;
-  contact_of_types_.assign(static_cast<std::size_t>(n * n), -1);
+  contact_of_types_.assign(of_types(n, 0), -1);
+}
+
+std::size_t PairPlaten::of_types(int i, int j) const {
+  return static_cast<std::size_t>(i) * static_cast<std::size_t>(atom->ntypes + 1) +
+         static_cast<std::size_t>(j);
 }
 
 void PairPlaten::settings(int narg, char**) {
@@ -97,15 +103,14 @@ void PairPlaten::coeff(int narg, char** arg) {
   }
   for (; next < narg; next += 2) {
     if (!keyword(arg[next]) || next + 1 >= narg) error->all(FLERR, usage);
-    const double value = utils::numeric(FLERR, arg[next + 1], false, lmp);
+    const double value = platen_number(error, FLERR, "pair_coeff platen", arg[next + 1], lmp);
     (arg[next] == std::string("damping") ? contact.restitution : contact.friction) = value;
   }
   platen_try(error, FLERR, "pair_coeff platen", [&] { dem::check(contact); });
   int count = 0;
   for (int i = ilo; i <= ihi; i++)
     for (int j = std::max(jlo, i); j <= jhi; j++) {
-      contact_of_types_[static_cast<std::size_t>(i * (atom->ntypes + 1) + j)] =
-          static_cast<int>(contacts_.size());
+      contact_of_types_[of_types(i, j)] = static_cast<int>(contacts_.size());
       setflag[i][j] = 1;
       count++;
     }
@@ -170,12 +175,12 @@ void PairPlaten::init_style() {
       laws_.push_back(std::make_unique<dem::Laws>(contacts_[c], static_cast<int>(c), units_));
   });
   const int n = atom->ntypes + 1;
-  laws_of_types_.assign(static_cast<std::size_t>(n * n), nullptr);
+  laws_of_types_.assign(of_types(n, 0), nullptr);
   for (int i = 1; i < n; i++)
     for (int j = i; j < n; j++)
-      if (const int c = contact_of_types_[static_cast<std::size_t>(i * n + j)]; c >= 0)
-        laws_of_types_[static_cast<std::size_t>(i * n + j)] =
-            laws_of_types_[static_cast<std::size_t>(j * n + i)] = laws_[static_cast<std::size_t>(c)].get();
+      if (const int c = contact_of_types_[of_types(i, j)]; c >= 0)
+        laws_of_types_[of_types(i, j)] = laws_of_types_[of_types(j, i)] =
+            laws_[static_cast<std::size_t>(c)].get();
 }
 
 double PairPlaten::init_one(int i, int j) {
@@ -376,9 +381,7 @@ double PairPlaten::single(int i, int j, int, int, double rsq, double, double, do
   std::fill(svector, svector + single_extra, 0.0);
   const double reach = atom->radius[i] + atom->radius[j];
   dem::Laws* const laws =
-      laws_of_types_.empty()
-          ? nullptr
-          : laws_of_types_[static_cast<std::size_t>(atom->type[i] * (atom->ntypes + 1) + atom->type[j])];
+      laws_of_types_.empty() ? nullptr : laws_of_types_[of_types(atom->type[i], atom->type[j])];
   if (rsq >= reach * reach || !laws) return 0;
   dem::Memory m{};
   double sign = 1;

@@ -32,6 +32,7 @@ class PairPlaten : public Pair {
 
  private:
   void allocate();
+  std::size_t of_types(int i, int j) const; ///< where two types' entry stands
   void contacts();
   void warn_beyond(bool last);
   void beyond(int contact, int j);

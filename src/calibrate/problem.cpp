@@ -2,8 +2,7 @@
 
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
-
-#include <ceres/ceres.h>
+#include "fit/solve.hpp"
 
 #include <algorithm>
 
@@ -113,12 +112,10 @@ State Problem::solve() {
   options.max_num_iterations = 100;
   options.function_tolerance = 1e-9;
   options.parameter_tolerance = 1e-8;
-  options.logging_type = ceres::SILENT;
   options.num_threads = 1;
   StopWhenInterrupted stop;
   options.callbacks.push_back(&stop);
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem_, &summary);
+  const auto summary = fit::solve(problem_, options);
   core::stop_if_asked();
   state_.cost = summary.IsSolutionUsable() ? summary.final_cost : std::numeric_limits<double>::infinity();
   state_.converged = summary.termination_type == ceres::CONVERGENCE;

@@ -50,7 +50,7 @@ std::shared_ptr<const AnyLaw> Workshop::law(const double* theta, double radius_m
   try {
     if (!(ratio(texts) > task_.ratio_most))
       made = std::make_shared<const AnyLaw>(task_.make(texts, radius_m));
-  } catch (const core::InvalidInput&) {} // no such material: said by the null
+  } catch (const core::InvalidInput&) { made = nullptr; } // no such material
   constexpr std::size_t kept = 64;
   if (made_.size() < kept) made_.emplace_back(std::move(key), made);
   else made_[next_++ % kept] = {std::move(key), made};

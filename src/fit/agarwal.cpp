@@ -99,7 +99,7 @@ LawCard law_card(const press::Curve& curve, const AgarwalFit& fit, std::string_v
   std::vector<std::pair<std::string_view, double>> parameters = {
       {"E_Pa", curve.E_Pa}, {"nu", curve.nu}, {"sigma_y_Pa", curve.sigma_ref_Pa}};
   append(parameters, fit.fitted, law::agarwal_coefficients);
-  return fitted_card("agarwal", "hertz-radius", std::move(parameters), curve, fit.of_fitted, curve_text);
+  return fitted_card("agarwal", "hertz-radius", parameters, curve, fit.of_fitted, curve_text);
 }
 
 } // namespace platen::fit

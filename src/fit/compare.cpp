@@ -106,9 +106,10 @@ Reference reference_of(const press::Curve& curve, std::string name) {
   for (const auto& branch : b.unloading) {
     const double top = turning_of(loading, branch);
     const double back = returned(branch, top, loading.at(loading.force, top));
-    if (!(back >= 0)) continue;
+    const double spent = loading.at(loading.work, top);
+    if (!(back >= 0 && spent > 0)) continue;
     r.turning.push_back(top);
-    r.spent.push_back(loading.at(loading.work, top));
+    r.spent.push_back(spent);
     r.trace.lost_work.push_back(r.spent.back() - back);
   }
   r.trace.in_range.assign(r.delta.size(), true);

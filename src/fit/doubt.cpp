@@ -22,6 +22,7 @@ constexpr double R2_refused = 0.9, R2_usual = 0.98;
 constexpr double stiffer_than_Hertz = 1.3;                  // noise, and the finite sphere, allow this much
 constexpr double softer_than_Hertz = 5e-4;                  // E/sigma_y = 10^4 begins ten times as stiff
 constexpr double gap_refused = 0.03, offset_refused = 0.03; // of the way, of the largest force
+constexpr double loaded = 0.03;                             // of the largest force
 constexpr double straight_R2 = 0.9999, straight_delta_bar = 0.05;
 
 struct Reading {
@@ -39,6 +40,7 @@ class Gate {
   std::vector<Doubt> doubts() {
     overlap();
     start();
+    dropout();
     straight_line();
     stiffness();
     strength();
@@ -84,6 +86,23 @@ class Gate {
           fmt::format("the force is {:.3g} N, {:.2g} of the largest, where delta is 0: the load cell is off "
                       "zero, or the travel begins after contact; platen calibrate finds both",
                       at_start, at_start / force_max_));
+  }
+
+  /// While the platens approach, a particle that carried force goes on to carry some. Where the contact point
+  /// was fitted, loops are among the rows, and R2 tells.
+  void dropout() {
+    if (c_.contact_known) return;
+    double before = 0;
+    for (std::size_t i = 0; i < c_.force_N.size(); ++i) {
+      const double F = c_.force_N[i];
+      if (F <= 0 && before > loaded * force_max_)
+        return say(true,
+                   fmt::format("the force is {:.3g} N at delta = {:.4g} um, and was {:.3g} N before: the "
+                               "load cell lost it, or the particle broke; cut the file there, or leave "
+                               "such rows out",
+                               F, c_.delta_m[i] * 1e6, before));
+      before = std::max(before, F);
+    }
   }
 
   /// A frame without a particle in it gives force in proportion to travel. A particle does not: it begins

@@ -2,8 +2,7 @@
 
 #include "core/error.hpp"
 #include "fit/golden.hpp"
-
-#include <ceres/ceres.h>
+#include "fit/solve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -114,13 +113,11 @@ EdmansSinkaSearch::Found EdmansSinkaSearch::polished(EdmansSinkaParameters start
   }
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
-  options.logging_type = ceres::SILENT;
   options.max_num_iterations = 100;
   options.function_tolerance = 1e-13;
   options.parameter_tolerance = 1e-12;
   options.gradient_tolerance = 1e-15;
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
+  const auto summary = solve(problem, options);
   if (!summary.IsSolutionUsable()) return {start, INFINITY};
   return {p, std::sqrt(2 * summary.final_cost)};
 }

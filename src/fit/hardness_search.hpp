@@ -4,8 +4,7 @@
 // hardness and force. Included by the fits alone: it brings Ceres with it.
 
 #include "fit/large_deformation.hpp"
-
-#include <ceres/ceres.h>
+#include "fit/solve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -80,10 +79,8 @@ std::vector<double> search_hardness(const Law& law, const std::vector<LoadedRow>
   if (!held.empty()) problem.SetManifold(theta.data(), new ceres::SubsetManifold(n, held));
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
-  options.logging_type = ceres::SILENT;
   options.max_num_iterations = 200;
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
+  solve(problem, options);
   return theta;
 }
 

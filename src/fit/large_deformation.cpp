@@ -140,8 +140,8 @@ Deviations deviations(const LawOfOverlap& law, const std::vector<LoadedRow>& row
 }
 
 LawCard fitted_card(std::string law, std::string variant,
-                    std::vector<std::pair<std::string_view, double>> parameters, const press::Curve& curve,
-                    const Deviations& d, std::string_view curve_text) {
+                    const std::vector<std::pair<std::string_view, double>>& parameters,
+                    const press::Curve& curve, const Deviations& d, std::string_view curve_text) {
   if (d.points == 0)
     throw core::InvalidInput(fmt::format(
         "the curve has no rows with delta_bar from {:.4g} to {:.4g}, so a card of {} could say no errors",

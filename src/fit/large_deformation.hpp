@@ -74,7 +74,7 @@ Deviations deviations(const LawOfOverlap&, const std::vector<LoadedRow>&, law::L
 /// A card of this curve with these parameters, and the loading; with [validity], [error] and [provenance].
 /// Throws core::InvalidInput where there was nothing to compare with, and where the coefficients make no law.
 LawCard fitted_card(std::string law, std::string variant,
-                    std::vector<std::pair<std::string_view, double>> parameters, const press::Curve&,
+                    const std::vector<std::pair<std::string_view, double>>& parameters, const press::Curve&,
                     const Deviations&, std::string_view curve_text);
 
 /// The coefficients as parameters of a card.

@@ -179,6 +179,7 @@ PressedFit fit_pressed(const press::Curve& curve, const UnloadingFits& unloading
   if (p.x.size() < 8)
     throw core::InvalidInput(fmt::format(
         "the law pressed needs 8 points of loading with a force, and the curve has {}", p.x.size()));
+  refuse_beyond_squares(p.F);
   PressedFit fit;
   const std::vector<double> F = growing(p.F, 1e-6);
   double square = 0;

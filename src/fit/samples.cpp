@@ -45,6 +45,17 @@ std::vector<double> growing(std::vector<double> y, double least_step) {
   return y;
 }
 
+void refuse_beyond_squares(const std::vector<double>& F_bar) {
+  constexpr double least = 1e-60, most = 1e60; // squares, and their ratios, are finite
+  double largest = 0;
+  for (const double F : F_bar) largest = std::max(largest, std::abs(F));
+  if (!(largest >= least && largest <= most))
+    throw core::InvalidInput(
+        fmt::format("the largest force is F_bar = {:.3g}, which no particle has: force, radius or reference "
+                    "stress are in other units",
+                    largest));
+}
+
 Samples loading_samples(const press::Curve& curve) {
   Samples samples;
   for (const auto& point : curve.points) {
@@ -70,6 +81,7 @@ Samples loading_samples(const press::Curve& curve) {
   if (samples.F_bar.back() <= 0)
     throw core::InvalidInput(fmt::format(
         "the loading branch ends with the force F_bar = {:g}; it must be positive", samples.F_bar.back()));
+  refuse_beyond_squares(samples.F_bar);
   samples.weight = trapezoid_weights(samples.delta_bar, 0);
   return samples;
 }

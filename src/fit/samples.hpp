@@ -19,8 +19,12 @@ struct Samples {
 };
 
 /// The loading branch. Throws core::InvalidInput when it has fewer than eight points, is not ascending in
-/// delta_bar, not finite, or nowhere positive in force.
+/// delta_bar, not finite, nowhere positive in force, or beyond what can be squared.
 Samples loading_samples(const press::Curve&);
+
+/// Throws core::InvalidInput where the largest of the forces is below 1e-60 or above 1e60: sums of squares
+/// would be 0 or infinite, and errors no numbers.
+void refuse_beyond_squares(const std::vector<double>& F_bar);
 
 /// Trapezoid weights of ascending abscissae; `from` is where the integral starts (at or below the first).
 std::vector<double> trapezoid_weights(const std::vector<double>& x, double from);

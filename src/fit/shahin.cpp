@@ -87,7 +87,7 @@ LawCard law_card(const press::Curve& curve, const ShahinFit& fit, std::string_vi
   std::vector<std::pair<std::string_view, double>> parameters = {
       {"E_Pa", curve.E_Pa}, {"nu", curve.nu}, {"kappa_Pa", curve.sigma_ref_Pa}, {"inverse_m", fit.inverse_m}};
   append(parameters, fit.fitted, law::shahin_coefficients);
-  return fitted_card("shahin", "hardening-minimum", std::move(parameters), curve, fit.of_fitted, curve_text);
+  return fitted_card("shahin", "hardening-minimum", parameters, curve, fit.of_fitted, curve_text);
 }
 
 } // namespace platen::fit

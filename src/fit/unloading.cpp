@@ -3,6 +3,7 @@
 #include "core/error.hpp"
 #include "fit/golden.hpp"
 #include "fit/samples.hpp"
+#include "fit/solve.hpp"
 
 #include <ceres/ceres.h>
 #include <fmt/format.h>
@@ -64,13 +65,11 @@ Found polished(const Samples& samples, Found start, double x_0_most) {
   problem.SetParameterUpperBound(&start.alpha, 0, alpha_most);
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;
-  options.logging_type = ceres::SILENT;
   options.max_num_iterations = 200;
   options.function_tolerance = 1e-14;
   options.parameter_tolerance = 1e-12;
   options.gradient_tolerance = 1e-16;
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
+  const auto summary = solve(problem, options);
   start.cost = summary.IsSolutionUsable() ? summary.final_cost : INFINITY;
   return start;
 }

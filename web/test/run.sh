@@ -10,4 +10,4 @@ export PLATEN_PAGE=${PLATEN_PAGE:-$(realpath ../..)/build/web/page}
 ../build.sh "$PLATEN_PAGE" laws.wasm
 export PLATEN_LAWS=$(realpath ../..)/build/web/laws.wasm
 [ -d node_modules/playwright-core ] || npm ci --silent --no-audit --no-fund
-node --test --test-reporter=spec explorer.test.mjs laws.test.mjs
+node --test --test-reporter=spec link.test.mjs explorer.test.mjs laws.test.mjs

@@ -35,6 +35,11 @@ refused("restitution", BOX + f"pair_style platen\npair_coeff 1 1 {GOOD} damping 
 refused("velocities", BOX.replace("comm_modify vel yes", "") + TWO + STYLE.replace("\n", " friction 0.3\n").replace(
     "platen friction 0.3", "platen") + "run 0\n", "comm_modify vel yes")
 refused("wall", BOX + TWO + STYLE + f"fix wall all wall/platen {GOOD} plane q lo 0\n", "wall/platen")
+for name, words in {"position": "plane x lo 1e999", "radius": "cylinder z 1e999", "mass": "plane x lo -1 force 1 mass 1e999",
+                    "speed": "plane x lo -1 velocity 1e999"}.items():
+    refused(f"infinite-{name}", BOX + TWO + STYLE + f"fix wall all wall/platen {GOOD} {words}\nrun 1\n", "1e999 is not finite")
+refused("away", BOX + TWO + STYLE + f"fix wall all wall/platen {GOOD} plane x lo -1 force 1 mass 1e-300\ntimestep 1e9\nrun 2\n",
+        "the wall's position is not finite any more")
 
 narrow = card("edmans-sinka", "narrow", extra="\n[validity]\ndelta_bar = [0, 0.001]\n")
 _, said = lammps("beyond", BOX + TWO + f"pair_style platen\npair_coeff 1 1 {narrow}\nfix m all nve/sphere\nrun 50\n")

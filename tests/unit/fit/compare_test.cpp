@@ -57,6 +57,13 @@ TEST(Compare, ALawThatIsTheCurveDeviatesByNothing) {
   EXPECT_EQ(d.rank, 1);
 }
 
+TEST(Compare, WorkLostIsNoShareOfALoadingThatTookNone) {
+  auto curve = curve_of(thornton_ning(), 1e-3, 1, {0.1});
+  for (auto& p : curve.points)
+    if (p.branch == press::Branch::loading && p.delta_m < 0.0999e-3) p.force_N *= -1;
+  EXPECT_TRUE(fit::reference_of(curve, "press").turning.empty());
+}
+
 TEST(Compare, ADeviationOfTenPerCentIsTenPerCentAndRanksBehind) {
   const auto law = thornton_ning();
   auto near = curve_of(law, 1e-3, 1, {0.05}), far = near;

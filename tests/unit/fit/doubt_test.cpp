@@ -57,6 +57,18 @@ TEST(Doubt, AGapAndALoadCellOffZeroAreRefused) {
   EXPECT_FALSE(refuses(fitted));
 }
 
+TEST(Doubt, ARowWithoutForceAmongThoseWithItIsRefused) {
+  for (const double lost : {0.0, -0.4}) {
+    auto claim = granule();
+    claim.force_N[60] = lost;
+    ASSERT_TRUE(refuses(claim));
+    EXPECT_NE(first(claim).find("N at delta = 60 um, and was"), std::string::npos) << first(claim);
+  }
+  auto noise = granule(); // about no force, at the beginning of contact
+  for (std::size_t i = 1; i < 4; ++i) noise.force_N[i] = i % 2 ? 0.2 : -0.2;
+  EXPECT_EQ(first(noise), "");
+}
+
 TEST(Doubt, StifferThanHertzIsRefused) {
   auto claim = granule(1, 1);
   claim.E_Pa = 2e7; // typed 100 times too low

@@ -1,6 +1,8 @@
 #include "fit/samples.hpp"
 
+#include "core/error.hpp"
 #include "curves.hpp"
+#include "fit/edmans_sinka.hpp"
 
 namespace platen {
 namespace {
@@ -67,6 +69,16 @@ TEST(RSquared, IsOneForThePerfectLawAndZeroForTheMean) {
   const auto samples = fit::loading_samples(loading_curve([](double x) { return x; }));
   EXPECT_DOUBLE_EQ(fit::r_squared(samples, samples.F_bar), 1);
   EXPECT_NEAR(fit::r_squared(samples, std::vector<double>(samples.size(), 0.25)), 0, 1e-12);
+}
+
+/// Residuals that are no numbers make Ceres print lines of its own.
+TEST(LoadingSamples, ForcesThatCannotBeSquaredAreRefusedInOneSentence) {
+  for (const double scale : {1e-300, 1e-80, 1e80, 1e300}) {
+    const auto curve = loading_curve([&](double x) { return scale * x; });
+    ::testing::internal::CaptureStderr();
+    EXPECT_THROW((void)fit::fit_edmans_sinka(curve), core::InvalidInput) << scale;
+    EXPECT_EQ(::testing::internal::GetCapturedStderr(), "") << scale;
+  }
 }
 
 } // namespace
