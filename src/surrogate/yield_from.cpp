@@ -12,6 +12,9 @@
 namespace platen::surrogate {
 namespace {
 
+constexpr double tabor = 2.8;                       // H/sigma_y
+constexpr double fully_plastic = 30, slope = 0.358; // tan(19.7 degrees)
+
 Description metal(double E, double nu, double sigma_y) {
   return describe(material::VonMises{E, nu, sigma_y, material::PerfectlyPlastic{}});
 }
@@ -25,7 +28,6 @@ void refuse_unless_elastic(double E, double nu) {
 } // namespace
 
 double yield_from_hardness(double E, double nu, double H) {
-  constexpr double tabor = 2.8, fully_plastic = 30, slope = 0.358; // tan(19.7 degrees)
   refuse_unless_elastic(E, nu);
   if (!(H > 0) || !std::isnormal(H / tabor))
     throw core::InvalidInput(fmt::format("hardness_Pa = {:.4g} is no number above 0", H));
@@ -92,6 +94,12 @@ material::Vmdc granule_from(const Indices& known) {
   if (!(known.strain > 0) || !(known.bonding > 0) || !std::isfinite(known.strain))
     throw core::InvalidInput(fmt::format(
         "strain_index = {:.4g}, bonding_index = {:.4g}: both must be above 0", known.strain, known.bonding));
+  if (!(known.hardness_Pa > 0) || !std::isnormal(known.hardness_Pa))
+    throw core::InvalidInput(fmt::format("hardness_Pa = {:.4g} is no number above 0", known.hardness_Pa));
+  if (known.strain > slope * tabor / fully_plastic)
+    throw core::InvalidInput(fmt::format("strain_index = {:.4g}: above {:.2g} such an indentation is partly "
+                                         "elastic, and H = {} Gamma does not hold",
+                                         known.strain, slope * tabor / fully_plastic, tabor));
   if (!(known.relative_density >= 0.5 && known.relative_density <= 1))
     throw core::InvalidInput(
         fmt::format("relative_density = {:.4g} of the compacts is not in 0.5 to 1", known.relative_density));
@@ -100,7 +108,7 @@ material::Vmdc granule_from(const Indices& known) {
   const double nu = granule.nu + granule.xi_1 * denser;
   const double E = known.hardness_Pa * (1 - nu * nu) / known.strain,
                sigma_T = known.bonding * known.hardness_Pa;
-  const double Gamma = yield_from_hardness(E, nu, known.hardness_Pa);
+  const double Gamma = known.hardness_Pa / tabor;
   if (sigma_T >= Gamma)
     throw core::InvalidInput(fmt::format(
         "bonding_index = {:.4g}: a tensile strength of {:.4g} Pa is no less than the shear strength H/2.8 = "
