@@ -218,6 +218,7 @@ TEST(Table, IsSmall) {
     std::printf("%-18s %5.1f kB, at most %5.1f\n", info.name.c_str(), sizes[sizes.size() / 2] / 1e3,
                 sizes.back() / 1e3);
     EXPECT_LE(sizes[sizes.size() / 2], 60'000) << info.name;
+    EXPECT_LE(sizes.back(), 100'000) << info.name;
   }
 }
 
