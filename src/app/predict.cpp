@@ -62,9 +62,8 @@ double yield_stress_of(const Options& o) {
 material::Material granule_of(const Options& o) {
   if (!o.material.empty() || o.E_Pa || o.nu || o.sigma_y_Pa || o.heckel_Pa || o.crush_force_N ||
       o.crush_overlap_m || o.radius_m)
-    throw core::InvalidInput(
-        "indices describe a granule: give --strain_index, --bonding_index, --hardness_Pa "
-        "and --relative_density, and no material beside them");
+    throw core::InvalidInput("indices describe a granule: give --strain_index, --bonding_index, "
+                             "--hardness_Pa and --relative_density, and no material beside them");
   for (const auto& [name, value] : {std::pair{"--strain_index", o.strain_index},
                                     {"--bonding_index", o.bonding_index},
                                     {"--hardness_Pa", o.hardness_Pa},
@@ -73,8 +72,7 @@ material::Material granule_of(const Options& o) {
   const material::Vmdc granule =
       surrogate::granule_from({*o.strain_index, *o.bonding_index, *o.hardness_Pa, *o.relative_density});
   core::say_line(fmt::format("note: E_bar = {:.4g}, Lambda_bar = {:.4g}, sigma_y_Pa = {:.4g} at relative "
-                             "density {}; all else as in the "
-                             "card base-case",
+                             "density {}; all else as in the card base-case",
                              granule.E / granule.sigma_y, granule.Lambda / granule.sigma_y, granule.sigma_y,
                              granule.rho_r0));
   return {"granule of these indices", granule};

@@ -1,6 +1,12 @@
 #pragma once
 // Any law's formulas as a table (table.hpp): knots at the kinks that the law names, cells of a ratio of two
 // or less between them, halved until force and radius are within `accuracy` of the formulas.
+//
+// What tabulate() may ask of a law beside ContactLaw; each may be missing.
+//   law.kinks()         overlaps [m] where the formulas change
+//   law.gamma_end()     overlap [m] from which on the tangent goes on; else 2 R_e
+//   Law::force_power    the force goes with R_e to this power; else 2
+//   Law::shape, law.n, law.lambda_p   how it unloads (table.hpp)
 
 #include "platen/law/error.hpp"
 #include "platen/law/table.hpp"
@@ -13,11 +19,6 @@
 
 namespace platen::law {
 
-/// What tabulate() may ask of a law beside ContactLaw; each may be missing.
-///   law.kinks()         overlaps [m] where the formulas change
-///   law.gamma_end()     overlap [m] from which on the tangent goes on; else 2 R_e
-///   Law::force_power    the force goes with R_e to this power; else 2
-///   Law::shape, law.n, law.lambda_p   how it unloads (table.hpp)
 namespace detail {
 
 template <class L> double force_power(const L&) {
