@@ -89,9 +89,11 @@ struct JacksonGreen {
   bool material_in_range = true;
   double omega_valid = 0; ///< a/R = 0.41, less for a dent
   JacksonGreenCurve<double> curve;
-  LoadingTable force; ///< F/F_c against omega, from the end of the elastic branch
+  Loading<double> held; ///< published: where the force jumps down, in units of F_c
+  double held_to = 0;   ///< and where it is reached again, in omega; the end of the elastic branch if nowhere
+  double work_held_to = 0;
+  LoadingTable force; ///< F/F_c against omega, from there on
   Loading<double> cap;
-  double held_to = 0; ///< published: where a force that jumps down is reached again, in omega
 
   [[nodiscard]] PLATEN_HOT Loading<double> loading(double gamma) const {
     Loading<double> here;
@@ -101,6 +103,8 @@ struct JacksonGreen {
       here.slope = 1.5 * here.F / omega;
       here.steepest = 1.5;
       here.least_a = 0.5;
+    } else if (omega < held_to) {
+      here = held;
     } else if (omega <= force.x_high()) {
       force.at(omega, here);
     } else {
@@ -124,6 +128,7 @@ struct JacksonGreen {
     const double omega = gamma / gamma_c;
     double W = 0;
     if (gamma <= gamma_elastic) W = 0.4 * omega * omega * std::sqrt(omega);
+    else if (omega < held_to) W = work_held_to - held.F * (held_to - omega);
     else if (omega <= force.x_high()) W = force.work(omega);
     else {
       const double more = omega - force.x_high();
@@ -190,23 +195,22 @@ inline JacksonGreen prepare(const JacksonGreenMaterial& m1, double R1, const Jac
 
   const bool published = soft.variant == JointVariant::published;
   const double start = published ? omega_t : detail::jackson_green_crossing(law.curve);
-  const double least = published ? std::pow(omega_t, 1.5) : 0;
+  law.held = {std::pow(start, 1.5), 0, 0, 1.5, 0.5};
   law.gamma_elastic = start * law.gamma_c;
   const auto sample = [&](double omega) {
     double F{}, slope{};
     law.curve.plastic(omega, F, slope);
-    if (F < least) F = least, slope = 0;
     return TableSample{F, slope, law.curve.radius_log_slope(omega)};
   };
   const double end = larger(0.75 / x_c, 4 * start);
   law.held_to = start;
-  if (double high = end; sample(start).slope == 0) { // the force has jumped down
+  if (double high = end; published && sample(start).F < law.held.F) // the force has jumped down
     for (int i = 0; i < 100; ++i) {
       const double middle = std::sqrt(law.held_to * high);
-      (sample(middle).slope == 0 ? law.held_to : high) = middle;
+      (sample(middle).F < law.held.F ? law.held_to : high) = middle;
     }
-  }
-  law.force.make(start, end, {0.4 * std::pow(start, 2.5), 1.5, 0.5}, sample);
+  law.work_held_to = 0.4 * std::pow(start, 2.5) + law.held.F * (law.held_to - start);
+  law.force.make(law.held_to, end, {law.work_held_to, 1.5, 0.5}, sample);
   const TableSample last = sample(end);
   law.cap = {last.F, last.slope, 0, law.force.end.steepest, 0};
   return law;

@@ -8,6 +8,7 @@
 #include "platen/law/kogut_etsion.hpp"
 #include "platen/law/luding.hpp"
 #include "platen/law/mdr.hpp"
+#include "platen/law/tabulate.hpp"
 #include "platen/law/thornton_ning.hpp"
 
 #include "random_paths.hpp"
@@ -238,6 +239,26 @@ TEST(JacksonGreen, PublishedJumpsAsSaidAndJoinedDoesNot) {
     const auto joined = prepare_on_rigid_plane(m, R);
     is_continuous_at(joined, joined.gamma_elastic, 1e-7);
     EXPECT_NEAR(joined.gamma_elastic / joined.gamma_c, joint, 1e-3);
+  }
+}
+
+TEST(JacksonGreen, PublishedForceThatFallsIsHeldUntilItIsReachedAgain) {
+  for (const double poissons_ratio : {0.4175, 0.42, 0.49}) {
+    const JacksonGreenMaterial m{200e9, poissons_ratio, 0.2e9, JointVariant::published};
+    const auto law = prepare_on_rigid_plane(m, R);
+    const double from = law.gamma_elastic, to = law.held_to * law.gamma_c,
+                 held = law.F_c * std::pow(1.9, 1.5);
+    ASSERT_GT(to, from * (1 + 1e-4));
+    for (const double share : {1e-6, 0.5, 1 - 1e-6}) {
+      const Loading<double> at = law.loading(from + share * (to - from));
+      EXPECT_NEAR(at.F, held, 1e-12 * held);
+      EXPECT_EQ(at.slope, 0);
+    }
+    EXPECT_GT(law.loading(to * (1 + 1e-6)).slope, 0);
+    EXPECT_NEAR(law.loading(to * (1 + 1e-9)).F, held, 1e-8 * held);
+    EXPECT_NEAR(law.work(to) - law.work(from), held * (to - from), 1e-10 * law.work(to));
+    slope_and_work_belong_to_the_force(law, {1.5 * to, 200 * law.gamma_c});
+    EXPECT_LT(tabulate(law).table->bytes(), 15'000) << poissons_ratio; // a kink in a cell took 600 kB
   }
 }
 
