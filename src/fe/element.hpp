@@ -21,8 +21,9 @@ template <class E>
 concept Element = requires(const typename E::Shape& shape, typename E::Kinematics& moved,
                            const typename E::State& state, const material::PointUpdate* updates,
                            const double* u, double* out, PrincipalStrains* trial, int point) {
-  typename E::Mesh;   // dim, corners
-  typename E::Stress; // components of a tensor
+  typename E::Mesh;     // dim, corners
+  typename E::Stress;   // components of a tensor
+  typename E::Gradient; // F_bar
   { E::points } -> std::convertible_to<int>;
   { E::unknowns } -> std::convertible_to<int>;
   /// Gradients and reference volumes (R0^3) of the Gauss points.
@@ -38,6 +39,11 @@ concept Element = requires(const typename E::Shape& shape, typename E::Kinematic
   {E::tangent(shape, moved, updates, 0.0, out)};
   { E::updated(moved, point, *updates) } -> std::same_as<typename E::State>;
   { E::cauchy(moved, point, *updates) } -> std::same_as<typename E::Stress>;
+  { E::gradient(moved, point) } -> std::same_as<typename E::Gradient>;
+  /// A stress as the material turns it from one deformation to another.
+  {
+    E::turned(typename E::Stress{}, typename E::Gradient{}, typename E::Gradient{})
+    } -> std::same_as<typename E::Stress>;
   /// The state that flow at a constant rate from one to another reaches after a factor of that way.
   { E::continued(state, state, 0.0) } -> std::same_as<typename E::State>;
   /// Double contraction, and the largest principal plastic strains -ln(C_p^-1)/2 of a state.

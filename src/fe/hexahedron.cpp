@@ -259,6 +259,21 @@ Hexahedron::State Hexahedron::continued(const State& a, const State& b, double f
   return {compose(m.value, m.axis), a.phi + factor * (b.phi - a.phi)};
 }
 
+Hexahedron::Stress Hexahedron::turned(const Stress& stress, const Gradient& from, const Gradient& to) {
+  const Matrix inverse = inverse_transposed(from, determinant(from));
+  Matrix f{}; // to from^-1 = V R
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) f[i][j] = dot(to[i], inverse[j]);
+  Spectral V = spectral(transformed(f, {1, 1, 1, 0, 0, 0})); // squared
+  for (double& stretch : V.value) stretch = 1 / std::sqrt(stretch);
+  const Symmetric3 v = compose(V.value, V.axis);
+  const Matrix back{{{v[0], v[3], v[5]}, {v[3], v[1], v[4]}, {v[5], v[4], v[2]}}};
+  Matrix R{};
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) R[i] = R[i] + back[i][k] * f[k];
+  return transformed(R, stress);
+}
+
 double Hexahedron::contraction(const Stress& a, const Stress& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] + 2 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
 }

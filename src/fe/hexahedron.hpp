@@ -9,6 +9,7 @@ struct Hexahedron {
   using Mesh = WedgeMesh;
   static constexpr int points = 8, unknowns = 24; ///< unknowns: x, y, z of its eight nodes
   using Stress = Symmetric3;
+  using Gradient = std::array<Vector3, 3>; ///< rows
   static constexpr std::array normal_components{0, 1, 2};
 
   struct State {
@@ -25,10 +26,10 @@ struct Hexahedron {
   };
   struct Kinematics {
     struct Point {
-      Gradients grad;           ///< spatial
-      std::array<Vector3, 3> F; ///< F_bar, rows
-      double J;                 ///< det F, not averaged
-      Spectral b;               ///< b_e^tr
+      Gradients grad; ///< spatial
+      Gradient F;     ///< F_bar
+      double J;       ///< det F, not averaged
+      Spectral b;     ///< b_e^tr
     };
     std::array<Point, points> point;
     double J_bar;
@@ -42,6 +43,8 @@ struct Hexahedron {
                       double* K);
   static State updated(const Kinematics&, int point, const material::PointUpdate&);
   static Stress cauchy(const Kinematics&, int point, const material::PointUpdate&);
+  static Gradient gradient(const Kinematics& moved, int point) { return moved.point[point].F; }
+  static Stress turned(const Stress&, const Gradient& from, const Gradient& to);
   static State continued(const State&, const State&, double factor);
   static double contraction(const Stress&, const Stress&);
   static PrincipalStrains plastic_strain(const State&);

@@ -253,6 +253,16 @@ Quad::State Quad::continued(const State& a, const State& b, double factor) {
   return c;
 }
 
+Quad::Stress Quad::turned(const Stress& stress, const Gradient& from, const Gradient& to) {
+  // Of f = to from^-1, up to its determinant: the angle of f_rr + f_zz and f_zr - f_rz.
+  const double along = to[0] * from[3] - to[1] * from[2] + to[3] * from[0] - to[2] * from[1],
+               across = to[2] * from[3] - to[3] * from[2] + to[0] * from[1] - to[1] * from[0];
+  const double length = std::hypot(along, across), c = along / length, s = across / length;
+  const auto& [rr, zz, rz, tt] = stress;
+  return {c * c * rr - 2 * c * s * rz + s * s * zz, s * s * rr + 2 * c * s * rz + c * c * zz,
+          c * s * (rr - zz) + (c * c - s * s) * rz, tt};
+}
+
 double Quad::contraction(const Stress& a, const Stress& b) {
   return a[0] * b[0] + a[1] * b[1] + 2 * a[2] * b[2] + a[3] * b[3];
 }

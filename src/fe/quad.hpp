@@ -9,6 +9,7 @@ struct Quad {
   using Mesh = SectionMesh;
   static constexpr int points = 4, unknowns = 8; ///< unknowns: r and z of its four nodes
   using Stress = std::array<double, 4>;          ///< rr, zz, rz, tt
+  using Gradient = std::array<double, 4>;        ///< rr, rz, zr, zz; its tt turns nothing
   static constexpr std::array normal_components{0, 1, 3};
 
   struct State {
@@ -44,6 +45,10 @@ struct Quad {
                       double* K);
   static State updated(const Kinematics&, int point, const material::PointUpdate&);
   static Stress cauchy(const Kinematics&, int point, const material::PointUpdate&);
+  static Gradient gradient(const Kinematics& k, int point) {
+    return {k.rr[point], k.rz[point], k.zr[point], k.zz[point]};
+  }
+  static Stress turned(const Stress&, const Gradient& from, const Gradient& to);
   static State continued(const State&, const State&, double factor);
   static double contraction(const Stress&, const Stress&);
   static PrincipalStrains plastic_strain(const State&);

@@ -28,6 +28,13 @@ template <fe::Element E> PointFlow<E> next_return(const PointFlow<E>& last, doub
   return next;
 }
 
+double working_shear(double ahead, double dw, double cos_phi) {
+  if (cos_phi < 0) return (ahead + dw) * (1 + cos_phi) / 2;
+  const double half = std::acos(std::min(cos_phi, 1.0)) / 2;
+  const double way = std::sqrt(ahead * ahead + dw * dw + 2 * ahead * dw * std::cos(2 * half));
+  return half > 0 ? way * half / std::sin(half) : way;
+}
+
 template <fe::Element E>
 double accept(PointFlow<E>& flow, const PointFlow<E>& before, const material::Model& model,
               const fe::Response<E>& response, int point) {
@@ -44,26 +51,25 @@ double accept(PointFlow<E>& flow, const PointFlow<E>& before, const material::Mo
   const double q_min = 1e-9 * std::abs(update.p) + 1e-300;
   for (double& component : flow.direction) component /= std::max(update.q, q_min);
 
+  flow.F = E::gradient(response.kinematics[point / E::points], point % E::points);
+
   if (!flow.flows && flow.ahead_dv == 0 && flow.ahead_dw == 0) return 0;
-  const auto power = [&](const material::TrialInvariants& elastic, double phi, double dv, double dw) {
-    const auto moduli = std::visit([&](const auto& m) { return m.moduli(phi); }, model);
-    return material::plastic_volume_ratio(model, phi) *
-           (moduli.K * elastic.eps_v * dv + 3 * moduli.G * elastic.eps_q * dw);
-  };
   // A point that was elastic flows from its yield on.
   const PointFlow<E>& from = before.flows ? before : flow;
-  const auto &a = from.direction, &b = flow.direction;
-  const double turned = before.flows ? 1.5 * E::contraction(a, b) : 1;
-  const double there =
-      power(from.elastic, from.state.phi, flow.ahead_dv + flow.dv, flow.ahead_dw + turned * flow.dw);
-  const double here =
-      power(flow.elastic, flow.state.phi, flow.ahead_dv + flow.dv, turned * flow.ahead_dw + flow.dw);
+  const double cos_phi =
+      before.flows ? 1.5 * E::contraction(E::turned(from.direction, from.F, flow.F), flow.direction) : 1;
+  const double dv = flow.ahead_dv + flow.dv, dw = working_shear(flow.ahead_dw, flow.dw, cos_phi);
+  const auto work = [&](const PointFlow<E>& end) {
+    const auto moduli = std::visit([&](const auto& m) { return m.moduli(end.state.phi); }, model);
+    return material::plastic_volume_ratio(model, end.state.phi) *
+           (moduli.K * end.elastic.eps_v * dv + 3 * moduli.G * end.elastic.eps_q * dw);
+  };
   const material::TrialInvariants middle{(from.elastic.eps_v + flow.elastic.eps_v) / 2,
                                          (from.elastic.eps_q + flow.elastic.eps_q) / 2};
   const auto energy = [&](double phi) {
     return material::plastic_volume_ratio(model, phi) * material::stored_energy(model, middle, phi);
   };
-  return (there + here) / 2 - (energy(flow.state.phi) - energy(before.state.phi));
+  return (work(from) + work(flow)) / 2 - (energy(flow.state.phi) - energy(before.state.phi));
 }
 
 template PointFlow<fe::Quad> next_return(const PointFlow<fe::Quad>&, double, double);

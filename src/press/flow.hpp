@@ -26,6 +26,7 @@ template <fe::Element E> struct PointFlow {
   // At the equilibrium:
   State state;
   material::TrialInvariants elastic{0, 0};
+  typename E::Gradient F{};
   typename E::Stress direction{}; ///< deviator of the stress over its q
 };
 
@@ -33,9 +34,17 @@ template <fe::Element E> struct PointFlow {
 /// the point has flowed in both last steps and the planes go on.
 template <fe::Element E> PointFlow<E> next_return(const PointFlow<E>&, double time, double next_time);
 
+/// The plastic shear on which the mean q of two equilibria does work: flow `ahead` along the direction of the
+/// stress at the first, a return by dw along that at the second, which the material has turned from it by
+/// phi. Up to a right angle the stress turns evenly along the yield surface,
+///   |ahead a + dw b| (phi/2)/sin(phi/2);
+/// beyond, it crosses the elastic domain, and flow to and fro cancels: the trapezoidal rule,
+///   (ahead + dw) (1 + cos phi)/2.
+double working_shear(double ahead, double dw, double cos_phi);
+
 /// Takes what the solid found at the equilibrium into the flow, and returns what was dissipated since the one
-/// before (Pa, per reference volume): the trapezoidal plastic power, less what the change of moduli and of
-/// the unloaded volume adds to the stored energy at fixed strain.
+/// before (Pa, per reference volume): the plastic work, less what the change of moduli and of the unloaded
+/// volume adds to the stored energy at fixed strain.
 template <fe::Element E>
 double accept(PointFlow<E>&, const PointFlow<E>& before, const material::Model&, const fe::Response<E>&,
               int point);

@@ -104,6 +104,17 @@ template <fe::Element E> double Stepper<E>::far_field(const CurvePoint& row) con
   return row.force_N * f / (std::numbers::pi * young);
 }
 
+/// int F d(delta) between the last two of three rows: of the parabola through them where they follow each
+/// other in steps of like size, else of the straight line.
+double work_of_step(const PlanePoint& first, const PlanePoint& from, const PlanePoint& to) {
+  const double h = to.delta_m - from.delta_m, h_before = from.delta_m - first.delta_m;
+  const double line = h * (from.force_N + to.force_N) / 2;
+  if (h == 0 || !(h_before / h > 0.25)) return line;
+  const double bend =
+      ((to.force_N - from.force_N) / h - (from.force_N - first.force_N) / h_before) / (h + h_before);
+  return line - bend * h * h * h / 6;
+}
+
 /// The row of the curve at the new equilibrium, the flow of its points, and what the contact remembers.
 template <fe::Element E>
 void Stepper<E>::account(State<E>& next, const State<E>& before, const fe::ContactMemory& memory,
@@ -113,6 +124,7 @@ void Stepper<E>::account(State<E>& next, const State<E>& before, const fe::Conta
   const auto overlaps = plan.motion.overlaps_at(next.time);
   const std::vector<double> height = heights(next.time);
   CurvePoint& row = next.row = before.row;
+  next.row_before = before.row;
   row.iterations = iterations;
   std::vector<fe::ContactPatch> patches;
   for (int k = 0; k < equilibrium.contact.planes(); ++k)
@@ -130,7 +142,7 @@ void Stepper<E>::account(State<E>& next, const State<E>& before, const fe::Conta
     p.contact_radius_m = c.radius * R;
     p.mean_pressure_Pa = c.radius > 0 ? c.force / (std::numbers::pi * c.radius * c.radius) : 0;
     p.peak_pressure_Pa = c.peak_pressure;
-    row.work_J += (last.force_N + p.force_N) / 2 * (p.delta_m - last.delta_m);
+    row.work_J += work_of_step(before.row_before.plane(k), last, p);
     penetration += c.energy;
     cell *= 1 - overlaps[k];
   }

@@ -16,7 +16,7 @@ template <fe::Element E> struct State {
   std::vector<double> x, change; ///< free displacements
   std::vector<PointFlow<E>> points;
   fe::ContactMemory contact;
-  CurvePoint row; ///< without branch
+  CurvePoint row, row_before; ///< without branch
 };
 
 template <fe::Element E> struct Step {

@@ -44,7 +44,7 @@ TEST(Confined, WorkIsStoredOrDissipated) {
     const auto result = simple ? press::press_in_space(c) : press::press(c);
     EXPECT_FALSE(result.failure) << *result.failure;
     const auto& end = result.curve.points.back();
-    EXPECT_NEAR((end.stored_J + end.dissipated_J) / end.work_J, 1, 0.025) << name_of(c.experiment);
+    EXPECT_NEAR((end.stored_J + end.dissipated_J) / end.work_J, 1, 0.01) << name_of(c.experiment);
     EXPECT_GT(end.dissipated_J, 0.3 * end.work_J);
   }
 }

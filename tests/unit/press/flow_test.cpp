@@ -26,20 +26,22 @@ PointFlow<fe::Quad> flowing(double e) {
 constexpr double E = 100, nu = 0.3, sigma_y = 1, G = E / (2 * (1 + nu));
 
 /// Displacements of an isochoric stretch exp(e) of z; the section narrows alike, a body in space along x
-/// alone.
-template <class Mesh> std::vector<double> stretched(const Mesh& mesh, double e) {
+/// alone, and is turned about y.
+template <class Mesh> std::vector<double> stretched(const Mesh& mesh, double e, double turn = 0) {
   std::vector<double> u;
   for (const auto& X : mesh.nodes) {
-    u.push_back(X[0] * std::expm1(Mesh::dim == 2 ? -e / 2 : -e));
+    const double x = X[0] * std::exp(Mesh::dim == 2 ? -e / 2 : -e), z = X[Mesh::dim - 1] * std::exp(e);
+    u.push_back(std::cos(turn) * x - std::sin(turn) * z - X[0]);
     if (Mesh::dim == 3) u.push_back(0);
-    u.push_back(X[Mesh::dim - 1] * std::expm1(e));
+    u.push_back(std::sin(turn) * x + std::cos(turn) * z - X[Mesh::dim - 1]);
   }
   return u;
 }
 
 /// Uniform flow of a perfectly plastic metal dissipates sigma_y a strain: from yield on, then over a whole
-/// step.
-template <fe::Element X> void expect_plastic_power(const typename X::Mesh& mesh, double eps_q_over_e) {
+/// step, by whatever angle the body turns meanwhile.
+template <fe::Element X>
+void expect_plastic_power(const typename X::Mesh& mesh, double eps_q_over_e, double turn_over_e = 0) {
   const fe::Solid<X> solid(mesh, material::VonMises{E, nu, sigma_y});
   fe::Response<X> response;
   std::vector<PointFlow<X>> points(solid.points());
@@ -53,7 +55,7 @@ template <fe::Element X> void expect_plastic_power(const typename X::Mesh& mesh,
       start.push_back(next.back().start);
     }
     EXPECT_EQ(next[0].start_time > time, e > 0.04);
-    ASSERT_EQ(solid.evaluate(stretched(mesh, e), start, response), fe::Evaluation::done);
+    ASSERT_EQ(solid.evaluate(stretched(mesh, e, turn_over_e * e), start, response), fe::Evaluation::done);
     const double from = time == 0 ? sigma_y / (3 * G) : eps_q_over_e * time;
     for (int i = 0; i < solid.points(); ++i) {
       const double dissipated = press::accept(next[i], points[i], solid.model, response, i);
@@ -102,7 +104,47 @@ TEST(Flow, StartsFromTheLastEquilibriumWhereItIsNotSteadyOrTurns) {
 
 TEST(Flow, DissipatesTheYieldStressTimesTheStrain) {
   expect_plastic_power<fe::Quad>(fe::quarter_disc(40), 1);
-  expect_plastic_power<fe::Hexahedron>(fe::sphere_wedge(fe::Wedge::octant, 40), 2 / std::sqrt(3));
+  const auto body = fe::sphere_wedge(fe::Wedge::octant, 40);
+  expect_plastic_power<fe::Hexahedron>(body, 2 / std::sqrt(3));
+  expect_plastic_power<fe::Hexahedron>(body, 2 / std::sqrt(3), 20); // 17 degrees a step
+}
+
+TEST(Flow, TurnsAStressWithTheMaterial) {
+  const double c = std::cos(0.3), s = std::sin(0.3);
+  const fe::Quad::Stress in_section{1, -2, 0.5, 1};
+  const fe::Quad::Gradient U{1.2, 0.1, 0.1, 0.9}, // its turn by 0.3:
+      RU{c * 1.2 - s * 0.1, c * 0.1 - s * 0.9, s * 1.2 + c * 0.1, s * 0.1 + c * 0.9};
+  const auto turned = fe::Quad::turned(in_section, {1, 0, 0, 1}, RU);
+  EXPECT_NEAR(turned[0], c * c * 1 - 2 * c * s * 0.5 + s * s * -2, 1e-14);
+  EXPECT_NEAR(turned[2], c * s * 3 + (c * c - s * s) * 0.5, 1e-14);
+  EXPECT_NEAR(turned[0] + turned[1], -1, 1e-14);
+  EXPECT_EQ(turned[3], 1);
+  const auto back = fe::Quad::turned(turned, RU, {1, 0, 0, 1});
+  for (int k = 0; k < 4; ++k) EXPECT_NEAR(back[k], in_section[k], 1e-14);
+  for (int k = 0; k < 4; ++k)
+    EXPECT_NEAR(fe::Quad::turned(in_section, {1, 0, 0, 1}, U)[k], in_section[k], 1e-14);
+
+  // z to x, the same in space
+  const fe::Hexahedron::Stress in_space{1, 0.7, -2, 0.2, -0.3, 0.5}; // xx, yy, zz, xy, yz, zx
+  const fe::Hexahedron::Gradient one{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}},
+      moved{{{RU[0], 0, RU[1]}, {0, 1.1, 0}, {RU[2], 0, RU[3]}}};
+  const auto there = fe::Hexahedron::turned(in_space, one, moved);
+  EXPECT_NEAR(there[0], turned[0], 1e-14);
+  EXPECT_NEAR(there[1], 0.7, 1e-14);
+  EXPECT_NEAR(there[2], turned[1], 1e-14);
+  EXPECT_NEAR(there[5], turned[2], 1e-14);
+  EXPECT_NEAR(there[3], c * 0.2 + s * 0.3, 1e-14);
+  EXPECT_NEAR(there[4], s * 0.2 - c * 0.3, 1e-14);
+}
+
+TEST(Flow, WorksOnTheShearOfAnEvenTurn) {
+  for (const double phi : {0.0, 1e-8, 0.1, 0.8, 1.5}) {
+    // A unit of shear whose direction turns evenly by phi adds up to a chord, which two halves make up too.
+    const double chord = phi > 0 ? 2 * std::sin(phi / 2) / phi : 1, half = chord / (2 * std::cos(phi / 2));
+    EXPECT_NEAR(press::working_shear(half, half, std::cos(phi)), 1, 1e-12) << phi;
+  }
+  EXPECT_EQ(press::working_shear(0, 0.3, 1), 0.3);
+  EXPECT_EQ(press::working_shear(0.1, 0.3, -1), 0); // to and fro
 }
 
 TEST(Flow, OfAnElasticPointDissipatesNothing) {

@@ -138,8 +138,9 @@ TEST(ConfinedPress, DefaultMeshIsNearTheLimitOfThree) {
       ASSERT_FALSE(result.failure);
       for (const auto& p : result.curve.points) {
         if (p.delta_bar < 0.02) continue;
-        EXPECT_NEAR(p.stored_J + p.dissipated_J, p.work_J, 0.02 * p.work_J)
-            << range.experiment << ' ' << p.delta_bar;
+        const double balance = elements == 5000 ? 0.003 : elements == 2600 ? 0.006 : 0.012;
+        EXPECT_NEAR(p.stored_J + p.dissipated_J, p.work_J, balance * p.work_J)
+            << range.experiment << ' ' << elements << ' ' << p.delta_bar;
       }
       curves[i++] = std::move(result.curve);
     }
@@ -164,5 +165,5 @@ TEST(ConfinedPress, PorousGranulesGetDenser) {
   ASSERT_FALSE(result.failure) << *result.failure;
   const auto& end = result.curve.points.back();
   EXPECT_GT(end.rho_r_mean, 0.42);
-  EXPECT_NEAR((end.stored_J + end.dissipated_J) / end.work_J, 1, 0.03);
+  EXPECT_NEAR((end.stored_J + end.dissipated_J) / end.work_J, 1, 0.003);
 }

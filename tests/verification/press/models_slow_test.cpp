@@ -21,7 +21,7 @@ press::Case case_of(const std::string& name, const material::Model& model) {
 /// The balance of work, energy and dissipation of a press that ended as it should.
 void expect_balance(const press::Result& result, const std::string& name) {
   const auto& last = result.curve.points.back();
-  EXPECT_NEAR(last.stored_J + last.dissipated_J, last.work_J, 0.01 * last.work_J) << name;
+  EXPECT_NEAR(last.stored_J + last.dissipated_J, last.work_J, 0.003 * last.work_J) << name;
 }
 
 } // namespace

@@ -45,7 +45,7 @@ void expect_energy_balance(const press::Result& result) {
       worst = std::max(worst, std::abs(row.work_J - row.stored_J - row.dissipated_J) / row.work_J);
   std::printf("%s: work less stored less dissipated within %.2f %%\n", result.curve.material.c_str(),
               100 * worst);
-  EXPECT_LT(worst, 0.005);
+  EXPECT_LT(worst, 0.003);
 }
 
 } // namespace
