@@ -20,7 +20,7 @@ namespace platen::app {
 namespace {
 
 struct Options {
-  std::string material, output = "law.toml", law, variant = "published";
+  std::string material, output = "law.toml", law, variant = "published", material_card;
   std::optional<double> E_Pa, nu, sigma_y_Pa, hardness_Pa, heckel_Pa, crush_force_N, crush_overlap_m,
       radius_m, strain_index, bonding_index, relative_density;
   bool quick = false, extrapolate = false, json = false;
@@ -208,6 +208,11 @@ std::string rock_json(const material::Material& material, const surrogate::Predi
 
 void predict(const Options& o) {
   const auto material = material_of(o);
+  if (!o.material_card.empty()) {
+    if (!o.material.empty())
+      throw core::InvalidInput(fmt::format("--material-card: {} is the card of this material", o.material));
+    core::write_file(o.material_card, material::card_text(material));
+  }
   const auto law = surrogate::law_to_predict(material, o.law);
   if (law == "wang") {
     const auto rock = surrogate::predict_rock(material, o.material);
@@ -217,7 +222,8 @@ void predict(const Options& o) {
     return;
   }
   surrogate::PredictOptions options{law, o.variant, o.quick, o.extrapolate};
-  if (!o.material.empty()) options.card = o.material;
+  for (const auto& card : {o.material, o.material_card})
+    if (!card.empty()) options.card = card;
   const auto [card, answer, near] = surrogate::predict_law(material, options, core::say_line);
   core::write_file(o.output, text_of(card));
   fmt::print(report_stream(o.output), "{}",
@@ -263,6 +269,10 @@ void add_predict(Command program) {
   command.add_option("--relative_density", o->relative_density, "of the compacts that were tested")
       .type_name("NUMBER");
   command.add_option("-o", o->output, "the law card").type_name("LAW.toml").capture_default_str();
+  command
+      .add_option("--material-card", o->material_card,
+                  "write the material here that the numbers describe, for `platen derive`")
+      .type_name("MATERIAL.toml");
   command
       .add_option("--law", o->law,
                   "pressed: the curve itself, the default; edmans-sinka: fitted to the "

@@ -86,6 +86,11 @@ answers 2 'not both' "$platen" predict base-case --nu 0.3
 answers 0 'sigma_y = hardness/2.8 = 7e+08 Pa' "$platen" predict --E_Pa 2e11 --nu 0.3 --hardness_Pa 1.96e9 -o predicted.toml
 answers 2 'partly elastic' "$platen" predict --E_Pa 2e9 --nu 0.3 --hardness_Pa 2e8
 answers 0 'Lambda_bar = 0.00' "$platen" predict --strain_index 0.011 --bonding_index 0.008 --hardness_Pa 3e8 --relative_density 0.9 -o predicted.toml
+answers 2 'platen derive outside-material.toml' "$platen" predict --E_Pa 1e9 --nu 0.3 --sigma_y_Pa 1e5 --material-card outside-material.toml -o outside.toml
+answers 0 'E_Pa' cat outside-material.toml
+answers 0 'verdict' "$platen" predict --strain_index 0.011 --bonding_index 0.008 --hardness_Pa 3e8 --relative_density 0.9 --material-card granule.toml -o predicted.toml
+answers 0 'verdict' "$platen" predict granule.toml --quick -o again.toml
+answers 2 'is the card of this material' "$platen" predict base-case --material-card granule.toml
 answers 2 '--relative_density is required' "$platen" predict --strain_index 0.011 --bonding_index 0.008 --hardness_Pa 3e8
 answers 2 'no material beside' "$platen" predict base-case --strain_index 0.011
 answers 0 'sigma_y = P_y/3 = 2.5e+07 Pa' "$platen" predict --E_Pa 5e9 --nu 0.3 --heckel_Pa 75e6 -o predicted.toml
