@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <sstream>
 #include <string>
 
 namespace platen::law {
@@ -33,6 +34,20 @@ inline std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
+#if defined(_LIBCPP_VERSION) && _LIBCPP_VERSION < 200000 // without from_chars for numbers with a point
+inline bool reads_whole(std::string_view text, double& value) {
+  if (text.find_first_not_of("0123456789.eE+-") != text.npos) return false; // no hexadecimals
+  std::istringstream stream{std::string(text)};
+  stream.imbue(std::locale::classic());
+  return stream >> value && stream.peek() == std::istringstream::traits_type::eof();
+}
+#else
+inline bool reads_whole(std::string_view text, double& value) {
+  const auto [end, wrong] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return wrong == std::errc{} && end == text.data() + text.size();
+}
+#endif
+
 inline double number_of(std::string_view law, std::string_view key, std::string_view text) {
   const std::string given(text);
   const auto space = [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; };
@@ -41,8 +56,7 @@ inline double number_of(std::string_view law, std::string_view key, std::string_
   if (text.starts_with('+')) text.remove_prefix(1);
   if (text == "inf") return infinity;
   double value = 0;
-  const auto [end, wrong] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (wrong != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+  if (!reads_whole(text, value) || !std::isfinite(value))
     throw BadParameter(std::string(law) + ": " + std::string(key) + " = '" + given + "' is not a number");
   return value;
 }
