@@ -18,6 +18,8 @@ for name, law, options, sentence in (
     ("none", "", "", "no law for particles of type 1; say: variable law_1 string CARD"),
     ("missing", "variable law string nowhere.toml", "", "nowhere.toml"),
     ("restitution", f"variable law string {hertz}", "restitution 2", "is not a restitution coefficient in (0, 1]"),
+    ("infinite", f"variable law string {hertz}", "restitution 1e999", "is not a restitution coefficient in (0, 1]"),
+    ("no-number", f"variable law string {hertz}", "restitution nan", "is not a restitution coefficient in (0, 1]"),
     ("plane", f"variable law string {card('hertz', 'E_Pa = 1e8' + chr(10) + 'nu = 0.3' + chr(10) + 'against = ' + chr(34) + 'plane' + chr(34), 'plane')}",
      "", "the card is for a sphere against a plane"),
     ("cohesion", f"variable law string {hertz}", "cohesion sjkr", "Unknown normal model"),
