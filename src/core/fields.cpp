@@ -116,20 +116,22 @@ void refuse_unknown_keys(const Table& table, std::span<const std::string> known)
   }
 }
 
-std::vector<FieldValue> read_values(const Table& written, std::span<const FieldInfo> fields,
+std::vector<FieldValue> read_values(const Table& written, std::span<const FieldInfo* const> fields,
                                     std::span<const std::string> others) {
   std::vector<std::string> known(others.begin(), others.end());
-  for (const auto& field : fields) {
-    known.push_back(field.key);
-    if (!field.ratio_key.empty()) known.push_back(field.ratio_key);
+  known.reserve(others.size() + 2 * fields.size());
+  for (const FieldInfo* field : fields) {
+    known.push_back(field->key);
+    if (!field->ratio_key.empty()) known.push_back(field->ratio_key);
   }
-  const Table table = in_si(written, known);
+  const auto converted = in_si(written, known);
+  const Table& table = converted ? *converted : written;
   refuse_unknown_keys(table, known);
 
   std::vector<FieldValue> values(fields.size());
   std::vector<std::optional<double>> ratios(fields.size());
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    const auto& field = fields[i];
+    const auto& field = *fields[i];
     const Value* direct = table.find(field.key);
     const Value* ratio = field.ratio_key.empty() ? nullptr : table.find(field.ratio_key);
     if (direct && ratio)
@@ -145,8 +147,8 @@ std::vector<FieldValue> read_values(const Table& written, std::span<const FieldI
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (!ratios[i]) continue;
     const auto of = std::find_if(fields.begin(), fields.end(),
-                                 [&](const FieldInfo& other) { return other.key == fields[i].ratio_of; });
-    values[i] = from_ratio(table, fields[i], *ratios[i], std::get<double>(values.at(of - fields.begin())));
+                                 [&](const FieldInfo* other) { return other->key == fields[i]->ratio_of; });
+    values[i] = from_ratio(table, *fields[i], *ratios[i], std::get<double>(values.at(of - fields.begin())));
   }
   return values;
 }
@@ -181,7 +183,7 @@ std::string card_line(std::string_view key, const FieldValue& value) {
     }
   };
   const std::string text = std::visit(Text{}, value);
-  return text.empty() ? "" : fmt::format("{} = {}\n", key, text);
+  return text.empty() ? "" : std::string(key).append(" = ").append(text).append("\n");
 }
 
 std::string reference_table(std::span<const FieldInfo> fields, std::span<const FieldValue> defaults) {

@@ -4,6 +4,7 @@
 
 #include "core/toml.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 #include <span>
@@ -72,7 +73,7 @@ template <class T> struct Field : FieldInfo {
 
 /// Reads and validates; values in the order of the fields, monostate where an optional one is absent.
 /// `others`: keys of the section that somebody else reads. InvalidInput says what is wrong.
-std::vector<FieldValue> read_values(const Table&, std::span<const FieldInfo> fields,
+std::vector<FieldValue> read_values(const Table&, std::span<const FieldInfo* const> fields,
                                     std::span<const std::string> others = {});
 
 /// InvalidInput for the first key that is none of `known`: with the converted line where only the unit is
@@ -107,7 +108,9 @@ template <class T> [[gnu::noinline]] void assign(T& object, const Field<T>& fiel
 template <class T>
 T read_fields(const Table& table, const std::vector<Field<T>>& fields, T defaults = {},
               std::span<const std::string> others = {}) {
-  const auto values = read_values(table, infos<T>(fields), others);
+  std::vector<const FieldInfo*> infos(fields.size());
+  std::ranges::transform(fields, infos.begin(), [](const auto& field) { return &field; });
+  const auto values = read_values(table, infos, others);
   for (std::size_t i = 0; i < fields.size(); ++i) assign(defaults, fields[i], values[i]);
   return defaults;
 }

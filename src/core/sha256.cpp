@@ -31,6 +31,7 @@ void add_block(std::array<Word, 8>& H, const unsigned char* block) {
     W[t] = W[t - 16] + s0 + W[t - 7] + s1;
   }
   auto [a, b, c, d, e, f, g, h] = H;
+#pragma GCC unroll 64 // then the eight need not be moved
   for (int t = 0; t < 64; ++t) {
     const Word S1 = std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25);
     const Word T1 = h + S1 + ((e & f) ^ (~e & g)) + K[t] + W[t];

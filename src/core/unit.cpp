@@ -163,14 +163,11 @@ std::optional<Quantity> quantity_from(std::string_view text) {
 }
 
 std::string si_key(std::string_view bare, std::span<const std::string> known) {
-  for (const auto si : si_units) {
-    const auto found = std::ranges::find_if(known, [&](const std::string& key) {
-      return key.size() == bare.size() + 1 + si.size() && key.starts_with(bare) && key[bare.size()] == '_' &&
-             key.ends_with(si) && key != no_length;
-    });
-    if (found != known.end()) return *found;
-  }
-  return {};
+  const auto found = std::ranges::find_if(known, [&](std::string_view key) {
+    return key.size() > bare.size() && key[bare.size()] == '_' && key.starts_with(bare) && key != no_length &&
+           std::ranges::find(si_units, key.substr(bare.size() + 1)) != si_units.end();
+  });
+  return found == known.end() ? std::string{} : *found;
 }
 
 double value_in_si(std::string_view place, std::string_view text, std::string_view key) {
@@ -185,14 +182,17 @@ double value_in_si(std::string_view place, std::string_view text, std::string_vi
   return quantity->in_si;
 }
 
-Table in_si(const Table& table, std::span<const std::string> known) {
-  Table result = table;
-  for (auto& entry : result.entries) {
-    auto* list = std::get_if<std::vector<Value>>(&entry.value.data);
+std::optional<Table> in_si(const Table& table, std::span<const std::string> known) {
+  std::optional<Table> result;
+  for (std::size_t i = 0; i < table.entries.size(); ++i) {
     const auto is_text = [](const Value& value) { return std::holds_alternative<std::string>(value.data); };
-    if (!(list ? std::any_of(list->begin(), list->end(), is_text) : is_text(entry.value))) continue;
-    const std::string key = si_key(entry.key, known);
+    const Value& written = table.entries[i].value;
+    const auto* texts = std::get_if<std::vector<Value>>(&written.data);
+    if (!(texts ? std::ranges::any_of(*texts, is_text) : is_text(written))) continue;
+    const std::string key = si_key(table.entries[i].key, known);
     if (key.empty()) continue;
+    if (!result) result = table;
+    Entry& entry = result->entries[i];
     const auto convert = [&](Value& value) {
       if (!is_text(value))
         throw InvalidInput(
@@ -202,7 +202,7 @@ Table in_si(const Table& table, std::span<const std::string> known) {
     if (table.find(key))
       throw InvalidInput(fmt::format("{}: given as well as {}; exactly one of the two is allowed",
                                      place(table, entry.key), key));
-    if (list) std::for_each(list->begin(), list->end(), convert);
+    if (texts) std::ranges::for_each(std::get<std::vector<Value>>(entry.value.data), convert);
     else convert(entry.value);
     entry.key = key;
   }

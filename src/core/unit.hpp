@@ -35,8 +35,8 @@ std::string si_key(std::string_view bare, std::span<const std::string> known);
 /// something else.
 double value_in_si(std::string_view place, std::string_view text, std::string_view key);
 
-/// The table with such entries under their SI keys; numbers, and lists of them. InvalidInput as above, and
-/// where a value stands there under both names.
-Table in_si(const Table&, std::span<const std::string> known);
+/// The table with such entries under their SI keys; numbers, and lists of them. Nothing where there are none.
+/// InvalidInput as above, and where a value stands there under both names.
+std::optional<Table> in_si(const Table&, std::span<const std::string> known);
 
 } // namespace platen::core

@@ -153,7 +153,7 @@ LawCard read_law_card(const Table& table) {
     throw InvalidInput(fmt::format("{} = \"{}\" is no variant of {}{}", core::place(table, "variant"),
                                    card.variant, card.law, core::suggestion(card.variant, variants)));
   if (const Table* written = core::section(table, "parameters")) {
-    const Table parameters = core::in_si(*written, keys_of(info));
+    const Table parameters = core::in_si(*written, keys_of(info)).value_or(*written);
     core::refuse_unknown_keys(parameters, keys_of(info));
     for (const auto& entry : parameters.entries) {
       check_range(parameters, info, entry);

@@ -21,6 +21,7 @@ const std::vector<Field<Material>> beside_fields = {
 
 std::vector<std::string> keys_of(const Table& table) {
   std::vector<std::string> keys;
+  keys.reserve(table.entries.size());
   for (const auto& entry : table.entries) keys.push_back(entry.key);
   return keys;
 }
@@ -51,16 +52,22 @@ const std::vector<Field<Head>>& head_fields() {
 const std::vector<std::string> sections = {"parameters", "source"};
 
 Model read_model(const Table& card, const std::string& name, const Table& table) {
-  std::vector<std::string> beside_keys;
-  for (const auto& field : beside_fields) beside_keys.push_back(field.key);
-  std::optional<Model> model;
+  static const std::vector<std::string> beside_keys = [] {
+    std::vector<std::string> keys;
+    for (const auto& field : beside_fields) keys.push_back(field.key);
+    return keys;
+  }();
+  Model model;
+  bool known = false;
   for_each_model([&]<class M>() {
-    if (name == M::name) model = M::card().read(table, beside_keys);
+    if (name != M::name) return;
+    model = M::card().read(table, beside_keys);
+    known = true;
   });
-  if (!model)
+  if (!known)
     throw core::InvalidInput(fmt::format("{} = \"{}\": there is no such model{}", core::place(card, "model"),
                                          name, core::suggestion(name, model_names())));
-  return *model;
+  return model;
 }
 
 std::vector<CardEntry> entries_of(const Model& model) {

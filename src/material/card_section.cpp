@@ -21,11 +21,13 @@ std::string card_lines(const std::vector<CardEntry>& entries) {
 std::vector<Parameter> parameters(const std::vector<CardEntry>& entries) {
   std::vector<Parameter> list;
   for (const auto& [key, value, meaning] : entries) {
-    if (const auto* number = std::get_if<double>(&value)) list.push_back({key, *number, meaning});
-    else if (const auto* choice = std::get_if<bool>(&value)) list.push_back({key, 1.0 * *choice, meaning});
+    if (const auto* number = std::get_if<double>(&value))
+      list.push_back({key, *number, std::string(meaning)});
+    else if (const auto* choice = std::get_if<bool>(&value))
+      list.push_back({key, 1.0 * *choice, std::string(meaning)});
     else if (const auto* numbers = std::get_if<std::vector<double>>(&value))
       for (std::size_t i = 0; i < numbers->size(); ++i)
-        list.push_back({fmt::format("{}[{}]", key, i), (*numbers)[i], meaning});
+        list.push_back({fmt::format("{}[{}]", key, i), (*numbers)[i], std::string(meaning)});
   }
   return list;
 }

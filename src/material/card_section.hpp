@@ -22,7 +22,7 @@ struct Parameter {
 struct CardEntry {
   std::string key; ///< "hardening.kind": stands in the section `hardening`, written in one line
   core::FieldValue value;
-  std::string meaning;
+  std::string_view meaning; ///< the field's own
 };
 
 /// "key = value" lines; none where there is no value.
@@ -41,6 +41,7 @@ template <class T> struct CardSection {
 template <class T>
 std::vector<CardEntry> entries_of(const std::vector<core::Field<T>>& fields, const T& object) {
   std::vector<CardEntry> entries;
+  entries.reserve(fields.size());
   for (const auto& field : fields)
     entries.push_back({field.key, core::value_of(field, object), field.meaning});
   return entries;

@@ -11,13 +11,14 @@ namespace {
 using core::Field, core::positive, core::right_open;
 
 /// `own`: of a hardening law that knows its yield stress.
-std::vector<Field<VonMises>> fields(bool own) {
-  Field<VonMises> E{"E_Pa", &VonMises::E, "Young's modulus", positive};
-  const Field<VonMises> nu{"nu", &VonMises::nu, "Poisson's ratio", right_open(0, 0.5)};
-  if (own) return {E, nu};
-  return {{"sigma_y_Pa", &VonMises::sigma_y, "uniaxial yield stress", positive},
-          std::move(E).or_ratio("E_bar", "sigma_y_Pa"),
-          nu};
+const std::vector<Field<VonMises>>& fields(bool own) {
+  static const Field<VonMises> E{"E_Pa", &VonMises::E, "Young's modulus", positive},
+      nu{"nu", &VonMises::nu, "Poisson's ratio", right_open(0, 0.5)};
+  static const std::vector<Field<VonMises>> alone{E, nu},
+      beside_sigma_y{{"sigma_y_Pa", &VonMises::sigma_y, "uniaxial yield stress", positive},
+                     Field<VonMises>(E).or_ratio("E_bar", "sigma_y_Pa"),
+                     nu};
+  return own ? alone : beside_sigma_y;
 }
 
 VonMises read(const core::Table& table, std::span<const std::string> others) {

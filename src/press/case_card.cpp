@@ -45,14 +45,14 @@ const std::vector<Experiment>& experiments() {
   return all;
 }
 
-Experiment experiment_named(const std::string& name, const std::string& where) {
+Experiment experiment_named(const std::string& name, const Table& card) {
   std::vector<std::string> names;
   for (const Experiment& e : experiments()) {
     if (name_of(e) == name) return e;
     names.emplace_back(name_of(e));
   }
-  throw core::InvalidInput(
-      fmt::format("{} = \"{}\": there is no such experiment{}", where, name, core::suggestion(name, names)));
+  throw core::InvalidInput(fmt::format("{} = \"{}\": there is no such experiment{}",
+                                       core::place(card, "experiment"), name, core::suggestion(name, names)));
 }
 
 /// What is looked at before the fields are read.
@@ -61,8 +61,8 @@ const std::vector<std::string> limits_by_force = {"force_max_N"};
 template <class X> X read_sections(const Table& card, X e) {
   const CardFields<X>& fields = card_fields(&e);
   const Table* written = core::section(card, "path");
-  std::optional<Table> path;
-  if (written) path = core::in_si(*written, limits_by_force);
+  const auto converted = written ? core::in_si(*written, limits_by_force) : std::nullopt;
+  const Table* path = converted ? &*converted : written;
   if constexpr (!std::is_same_v<X, Local>)
     if (path && path->find("force_max_N"))
       throw core::InvalidInput(fmt::format("{} is for experiment = \"local\"; give {}",
@@ -137,11 +137,12 @@ void check_fields(const std::vector<Field<X>>& fields, const X& e, std::string_v
 }
 
 /// Forces and work, R^2 sigma and R^3 sigma, have to be numbers.
-void check_size(const Case& c, std::string_view place) {
+void check_size(const Case& c, const Table* card) {
   const double sigma = material::reference_stress(c.material.model);
   if (std::isnormal(std::pow(c.radius_m, 2) * sigma) && std::isnormal(std::pow(c.radius_m, 3) * sigma))
     return;
-  throw core::InvalidInput(fmt::format("{} = {}: forces of a particle of this size are no numbers", place,
+  throw core::InvalidInput(fmt::format("{} = {}: forces of a particle of this size are no numbers",
+                                       card ? core::place(*card, "radius_m") : "radius_m",
                                        core::number_text(c.radius_m)));
 }
 
@@ -150,14 +151,14 @@ void check_size(const Case& c, std::string_view place) {
 Case read_case(std::string_view path) { return read_case(core::read_toml(path)); }
 
 Case read_case(const Table& card) {
-  const std::vector<std::string> others = {"material", "path", "mesh", "output"};
+  static const std::vector<std::string> others = {"material", "path", "mesh", "output"};
   const Head head = core::read_fields(card, head_fields, Head{}, others);
   Case c;
   c.radius_m = head.radius_m;
   c.experiment = std::visit([&](const auto& e) { return Experiment(read_sections(card, e)); },
-                            experiment_named(head.experiment, core::place(card, "experiment")));
+                            experiment_named(head.experiment, card));
   c.material = read_material(card);
-  check_size(c, core::place(card, "radius_m"));
+  check_size(c, &card);
   const Places at{core::section(card, "path"), core::section(card, "output")};
   std::visit([&](const auto& e) { check(e, c.material, at); }, c.experiment);
   return c;
@@ -165,7 +166,7 @@ Case read_case(const Table& card) {
 
 void validate(const Case& c) {
   check_fields(head_fields, Head{1, std::string(name_of(c.experiment)), c.radius_m}, "");
-  check_size(c, "radius_m");
+  check_size(c, nullptr);
   std::visit(
       [&](const auto& e) {
         const auto& fields = card_fields(&e);

@@ -332,17 +332,19 @@ Study read_study(std::string_view path) {
   Study study{card.file,       head.name, design.kind, design.seed, read_factors(card, design.kind),
               read_laws(card), {}};
   const Table base = base_case(card);
-  const auto points = read_points(card, design, study.factors, base);
+  auto points = read_points(card, design, study.factors, base);
   if (points.empty())
     throw core::InvalidInput(fmt::format(
         "{}: the design is empty; its table has no row, or none that is as [design] only says", card.file));
   study.runs.resize(points.size());
   core::in_parallel(points.size(), [&](std::size_t i) {
+    Run& run = study.runs[i];
+    run.inputs = std::move(points[i]);
     try {
-      study.runs[i] = {points[i], case_of(base, study.factors, points[i]), 0};
+      run.press_case = case_of(base, study.factors, run.inputs);
     } catch (const core::InvalidInput& problem) {
       throw core::InvalidInput(fmt::format("{}: the run with {}: {}", card.file,
-                                           words_of(study.factors, points[i]), problem.what()));
+                                           words_of(study.factors, run.inputs), problem.what()));
     }
   });
   return study;

@@ -63,15 +63,13 @@ void improve(std::vector<CubePoint>& points, const std::vector<std::size_t>& ran
 } // namespace
 
 std::vector<Point> factorial(const std::vector<Factor>& factors) {
-  std::vector<Point> points = {{}};
-  for (const auto& factor : factors) {
-    std::vector<Point> longer;
-    for (const auto& point : points)
-      for (const auto& value : factor.values) {
-        longer.push_back(point);
-        longer.back().push_back(value);
-      }
-    points = std::move(longer);
+  std::size_t combinations = 1;
+  for (const auto& factor : factors) combinations *= factor.values.size();
+  std::vector<Point> points(combinations, Point(factors.size()));
+  for (std::size_t i = 0; i < combinations; ++i) {
+    std::size_t rest = i;
+    for (std::size_t l = factors.size(); l-- > 0; rest /= factors[l].values.size())
+      points[i][l] = factors[l].values[rest % factors[l].values.size()];
   }
   return points;
 }

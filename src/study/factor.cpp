@@ -106,7 +106,7 @@ void set(Table& base, const std::string& factor, const Level& level) {
   });
   Value value = value_of(level);
   if (factor == "material") value.data = material_table(base.file, text_of(level));
-  table->entries.push_back({key, value});
+  table->entries.push_back({key, std::move(value)});
 }
 
 } // namespace platen::study
