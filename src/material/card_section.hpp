@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace platen::material {
@@ -56,10 +57,13 @@ CardSection<T> section_of(
         [](const core::Table&, const T& all) { return all; },
     std::type_identity_t<std::function<Given(const T&)>> given = std::identity{}, std::string note = {}) {
   return {core::infos<Given>(fields),
-          [fields, make](const core::Table& table, std::span<const std::string> others) {
+          [fields, make = std::move(make)](const core::Table& table, std::span<const std::string> others) {
             return make(table, core::read_fields<Given>(table, fields, {}, others));
           },
-          [fields, given](const T& object) { return entries_of(fields, given(object)); }, std::move(note)};
+          [fields = std::move(fields), given = std::move(given)](const T& object) {
+            return entries_of(fields, given(object));
+          },
+          std::move(note)};
 }
 
 } // namespace platen::material
