@@ -23,10 +23,17 @@ core::Entry* entry(Table& table, std::string_view key) {
   return found == table.entries.end() ? nullptr : &*found;
 }
 
+/// They name keys of the card, which a factor may take away.
+void drop_sources(Table& material) {
+  std::erase_if(material.entries, [](const core::Entry& e) { return e.key == "source"; });
+}
+
 Table material_table(const std::string& case_file, const std::string& what) {
   const auto beside = std::filesystem::path(case_file).parent_path() / what;
-  return core::read_toml(std::filesystem::is_regular_file(beside) ? beside
-                                                                  : core::find_card("materials", what));
+  Table material =
+      core::read_toml(std::filesystem::is_regular_file(beside) ? beside : core::find_card("materials", what));
+  drop_sources(material);
+  return material;
 }
 
 /// E_bar and E_Pa name one quantity: giving one takes the other away.
@@ -77,9 +84,11 @@ Table base_case(const Table& card) {
     throw core::InvalidInput(fmt::format("{} = {} is {}; it must be the path of a case card, or a table",
                                          core::place(card, "case"), core::text_of(*value),
                                          core::kind_of(*value)));
-  if (core::Entry* material = entry(base, "material"))
+  if (core::Entry* material = entry(base, "material")) {
     if (const auto* what = std::get_if<std::string>(&material->value.data))
       material->value.data = material_table(base.file, *what);
+    else if (auto* written = std::get_if<Table>(&material->value.data)) drop_sources(*written);
+  }
   return base;
 }
 

@@ -99,6 +99,22 @@ TEST_F(StudyCard, MaterialMayBeAFactor) {
   EXPECT_EQ(s.runs[1].press_case.material.name, "Lead, Ludwik hardening");
 }
 
+TEST_F(StudyCard, AFactorTakesAKeyAwayThoughItsSourceIsKnown) {
+  const std::string parameters = "E_Pa = 1e9\nsigma_y_Pa = 1e8\nnu = 0.3\n", of_E = "E_Pa = \"a book\"\n";
+  core::write_file(folder_ / "m.toml", "platen = 1\nname = \"m\"\nmodel = \"von-mises\"\n[parameters]\n" +
+                                           parameters + "[source]\n" + of_E);
+  const std::string factor =
+      "[design]\nkind = \"factorial\"\n[factors]\n\"material.E_bar\" = { values = [50] }\n";
+  const auto modulus = [](const study::Study& s) {
+    return material::initial_E(s.runs.at(0).press_case.material.model);
+  };
+  EXPECT_EQ(modulus(read(factor, "\"m.toml\"")), 5e9);
+  EXPECT_EQ(
+      modulus(read(factor, "{ platen = 1, name = \"m\", model = \"von-mises\", parameters = { E_Pa = 1e9, "
+                           "sigma_y_Pa = 1e8, nu = 0.3 }, source = { E_Pa = \"a book\" } }")),
+      5e9);
+}
+
 TEST_F(StudyCard, LevelsMayCarryTheirUnits) {
   const auto s =
       read("[design]\nkind = \"factorial\"\n[factors]\n"
