@@ -291,9 +291,10 @@ std::string Store::forget_damaged(const std::string& key) {
 Store::Glance Store::glance(const std::string& key) const {
   const std::string folder = folder_.native() + "/runs/" + key; // a path would be taken to pieces
   Glance seen;
+  if (::access(folder.c_str(), F_OK) != 0) return seen;
   const int file = ::open((folder + "/cost.txt").c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0) {
-    if (::access(folder.c_str(), F_OK) == 0) seen.state = state(key);
+    seen.state = state(key);
     return seen;
   }
   std::array<char, 64> text{};
