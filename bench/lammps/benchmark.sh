@@ -3,7 +3,8 @@
 #   bench/lammps/benchmark.sh [FOLDER OF THE PLUG-IN] [REPEATS]
 # 32,768 equal spheres in a periodic box, on a simple cubic lattice pressed by 2 % to 98,304 contacts, with random
 # velocities, so that contacts load, unload and slide; the second 250 steps. The styles take turns, and the least
-# time of each is given: LAMMPS's own wall time of "Pair", so leave the machine alone meanwhile.
+# time of each is given: LAMMPS's own wall time of "Pair", so leave the machine alone meanwhile. Each rank is bound to
+# a core of its own; the processor and the binding are printed.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 plugin=$(realpath "${1:-$here/../../build/release/lammps}")
@@ -65,14 +66,15 @@ speed=2 dt=4e-7
 
 measure() { # STYLE RANKS: contacts, ns a contact and step in Pair, over all ranks
   input "$1" >"$out/in"
-  local run=("$lmp" -in "$out/in" -log "$out/log" -screen none)
-  [ "$2" -eq 1 ] || run=(mpirun --oversubscribe -n "$2" "${run[@]}")
+  local run=(mpirun -n "$2" --map-by core --bind-to core --report-bindings
+    "$lmp" -in "$out/in" -log "$out/log" -screen none)
   "${run[@]}" >"$out/screen" 2>&1 || { tail -5 "$out/screen" "$out/log" >&2; return 1; }
   awk -v ranks="$2" '
     $1 == "250" || $1 == "500" { contacts = $2 } $1 == "Pair" && $2 == "|" { pair = $5 }
     END { printf "%d %.1f\n", contacts, pair * ranks / (contacts * 250) * 1e9 }' "$out/log"
 }
 
+LC_ALL=C lscpu | grep -E '^(Model name|CPU\(s\)|Thread\(s\) per core|Core\(s\) per socket|Socket\(s\)):'
 printf '%-28s %10s %12s %12s\n' style contacts 'ns, 1 rank' 'ns, 2 ranks'
 styles=(gran/hertz/history granular platen/edmans-sinka platen/agarwal)
 declare -A best
@@ -86,6 +88,7 @@ for ((r = 0; r < repeats; ++r)); do
     done
   done
 done
+grep -o 'rank .*bound to.*' "$out/screen" # of the last run
 for name in "${styles[@]}"; do
   printf '%-28s %10d %12s %12s\n' "$name" "${best[$name,contacts]}" "${best[$name,1]}" "${best[$name,2]}"
 done

@@ -81,7 +81,7 @@ FixWallPlaten::FixWallPlaten(LAMMPS* host, int narg, char** arg) : Fix(host, nar
 FixWallPlaten::~FixWallPlaten() {
   if (total_[3] > 0 && comm->me == 0)
     error->warning(FLERR, std::to_string(std::lround(total_[3])) + " contacts with wall " + id +
-                              " went beyond the validity of " + contact_.one.file);
+                              " went beyond the validity of " + contact_.one->file);
   atom->delete_callback(id, Atom::GROW);
   atom->delete_callback(id, Atom::RESTART);
   memory->destroy(memory_);
@@ -186,7 +186,7 @@ void FixWallPlaten::end_of_step() {
   MPI_Allreduce(force_, total_, 4, MPI_DOUBLE, MPI_SUM, world);
   if (total_[3] > 0 && !before && comm->me == 0)
     error->warning(FLERR, std::string("Contacts with wall ") + id + " are beyond the validity of " +
-                              contact_.one.file +
+                              contact_.one->file +
                               "; the law goes on monotonically, their number follows at the end");
 }
 

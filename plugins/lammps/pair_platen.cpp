@@ -90,15 +90,16 @@ void PairPlaten::coeff(int narg, char** arg) {
   utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
   utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
   dem::Contact contact;
-  platen_try(error, FLERR, "pair_coeff platen", [&] {
-    contact.one = platen::fit::read_law_card(arg[2]);
-    contact.two = contact.one;
-  });
+  const auto card = [&](const char* file) {
+    if (!cards_.contains(file))
+      platen_try(error, FLERR, "pair_coeff platen", [&] { cards_[file] = platen::fit::read_law_card(file); });
+    return cards_.at(file);
+  };
+  contact.one = contact.two = card(arg[2]);
   int next = 3;
   const auto keyword = [](const std::string& word) { return word == "damping" || word == "friction"; };
   if (next < narg && !keyword(arg[next])) {
-    platen_try(error, FLERR, "pair_coeff platen",
-               [&] { contact.two = platen::fit::read_law_card(arg[next]); });
+    contact.two = card(arg[next]);
     ++next;
   }
   for (; next < narg; next += 2) {
@@ -216,7 +217,7 @@ void PairPlaten::warn_beyond(bool last) {
     if (all == 0) continue;
     warned_[c] = true;
     if (comm->me != 0) continue;
-    const std::string card = contacts_[c].one.file;
+    const std::string card = contacts_[c].one->file;
     if (last)
       error->warning(FLERR, std::to_string((all + 1) / 2) + " contacts went beyond the validity of " + card);
     else

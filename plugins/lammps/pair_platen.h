@@ -5,6 +5,8 @@
 #include "host.hpp"
 
 #include <exception>
+#include <map>
+#include <string>
 
 namespace LAMMPS_NS {
 
@@ -42,6 +44,7 @@ class PairPlaten : public Pair {
   void laws_of(Block&);
   template <bool friction, bool damping> void forces(const Block&);
 
+  std::map<std::string, platen::dem::Card> cards_; // by file
   std::vector<platen::dem::Contact> contacts_;
   std::vector<int> contact_of_types_;
   std::vector<std::unique_ptr<platen::dem::Laws>> laws_; // of each pair_coeff

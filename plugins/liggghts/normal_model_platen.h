@@ -130,7 +130,7 @@ template <> class NormalModel<PLATEN> : public NormalModelBase {
   void beyond(const platen::dem::Contact& contact) {
     if (warned_) return;
     warned_ = true;
-    error->warning(FLERR, ("contacts are beyond the validity of " + contact.one.file +
+    error->warning(FLERR, ("contacts are beyond the validity of " + contact.one->file +
                            "; the law goes on monotonically").c_str());
   }
 

@@ -28,8 +28,8 @@ bool has_elasticity(const fit::LawCard& card) {
 } // namespace
 
 void check(const Contact& contact) {
-  (void)fit::body_of(contact.one, contact.on_plane);
-  if (!contact.on_plane) (void)fit::body_of(contact.two);
+  (void)fit::body_of(*contact.one, contact.on_plane);
+  if (!contact.on_plane) (void)fit::body_of(*contact.two);
   if (!(contact.restitution > 0 && contact.restitution <= 1))
     throw InvalidInput(
         fmt::format("damping {} is not a restitution coefficient in (0, 1]", contact.restitution));
@@ -45,8 +45,8 @@ double damping_of(double restitution) {
 Laws::Laws(Contact contact_, int index_, const Units& units)
     : contact(std::move(contact_)), index(index_), damping(damping_of(contact.restitution)),
       length(units.length) {
-  for (const fit::LawCard* card : {&contact.one, &contact.two}) {
-    if (card == &contact.two && contact.on_plane) break;
+  for (const Card& side : {contact.one, contact.on_plane ? contact.one : contact.two}) {
+    const fit::LawCard* const card = &*side;
     fixed = fixed || card->parameters.contains("radius_m");
     if (card->delta_bar) x_valid = std::min(x_valid, (*card->delta_bar)[1] * (1 + 1e-12));
     if (contact.friction > 0 && !has_elasticity(*card))
@@ -57,17 +57,18 @@ Laws::Laws(Contact contact_, int index_, const Units& units)
   }
   // Makes the first table: what cannot be is said before anything moves.
   try {
-    const law::LawChoice one = fit::body_of(contact.one, contact.on_plane);
+    const law::LawChoice one = fit::body_of(*contact.one, contact.on_plane);
     const law::Law law = contact.on_plane ? law::make_law_on_plane(one, 1)
-                                          : law::make_law(one, 1, fit::body_of(contact.two), 1);
+                                          : law::make_law(one, 1, fit::body_of(*contact.two), 1,
+                                                          alike() ? law::TableAccuracy{} : law::coarse_table);
     shear = eight_G(law.pair) * units.length / units.force;
-    node_[contact.on_plane ? last : 0] = law.table;
+    first_ = law.table;
     force_power = law.force_power;
     plain = !contact.on_plane && !fixed && force_power == 2;
   } catch (const law::BadParameter& error) {
-    const bool two = !contact.on_plane && contact.two.file != contact.one.file;
+    const bool two = !contact.on_plane && !alike();
     throw InvalidInput(
-        fmt::format("{}{}: {}", contact.one.file, two ? " with " + contact.two.file : "", error.what()));
+        fmt::format("{}{}: {}", contact.one->file, two ? " with " + contact.two->file : "", error.what()));
   }
 }
 
@@ -82,12 +83,14 @@ void Laws::check_radius(const fit::LawCard& card, double R) const {
 }
 
 const law::Table* Laws::node(int k, bool first_is_larger) {
-  if (k == 0 || contact.one.file == contact.two.file) first_is_larger = false; // the same from both sides
-  auto& table = (first_is_larger ? mirrored_ : node_)[static_cast<std::size_t>(k)];
+  if (k == 0) return first_.get();
+  auto& tables = first_is_larger && !alike() ? mirrored_ : node_;
+  tables.resize(last + 1);
+  auto& table = tables[static_cast<std::size_t>(k)];
   if (table) return table.get();
   const double t = static_cast<double>(k) / last, small = k == last ? 1 : 1 - t,
                large = k == last ? law::infinity : 1 + t;
-  const law::LawChoice one = fit::body_of(contact.one), two = fit::body_of(contact.two);
+  const law::LawChoice one = fit::body_of(*contact.one), two = fit::body_of(*contact.two);
   // The ratio of the radii is rounded, which is a tenth of a per cent of the force: a coarse table will do.
   table = (first_is_larger ? law::make_law(one, large, two, small, law::coarse_table)
                            : law::make_law(one, small, two, large, law::coarse_table))
@@ -98,12 +101,12 @@ const law::Table* Laws::node(int k, bool first_is_larger) {
 Laws::At Laws::between(double R1, double R2) {
   At at;
   if (fixed) {
-    check_radius(contact.one, R1 * length);
-    if (!contact.on_plane) check_radius(contact.two, R2 * length);
+    check_radius(*contact.one, R1 * length);
+    if (!contact.on_plane) check_radius(*contact.two, R2 * length);
   }
   if (contact.on_plane) {
     const double R = R1 * length, F = force_power == 2 ? R * R : std::pow(R, force_power);
-    at.table = node_[last].get();
+    at.table = first_.get();
     at.scale = {R, 1 / R, F, F * R, F / (R * R)};
     return at;
   }
@@ -117,9 +120,9 @@ Laws::At Laws::between(double R1, double R2) {
 }
 
 std::size_t Laws::bytes() const {
-  std::size_t sum = sizeof(Laws);
+  std::size_t sum = sizeof(Laws) + first_->bytes();
   for (const auto* list : {&node_, &mirrored_})
-    for (const auto& table : *list) sum += table ? table->bytes() : 0;
+    for (const auto& table : *list) sum += sizeof(table) + (table ? table->bytes() : 0);
   return sum;
 }
 

@@ -4,9 +4,9 @@
 
 #include "fit/law_card.hpp"
 
-#include <array>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace platen::dem {
@@ -17,9 +17,22 @@ struct Units {
   double force = 1;  ///< [N]
 };
 
+/// A law card that contacts share: with its curve as text it is as large as a table.
+class Card {
+ public:
+  Card() = default;
+  Card(fit::LawCard card)
+      : card_(std::make_shared<const fit::LawCard>(std::move(card))) {} // NOLINT: implicit
+  const fit::LawCard& operator*() const { return *card_; }
+  const fit::LawCard* operator->() const { return card_.get(); }
+
+ private:
+  std::shared_ptr<const fit::LawCard> card_;
+};
+
 /// One pair of particle types, or one wall.
 struct Contact {
-  fit::LawCard one, two; ///< the second side; of a wall unused
+  Card one, two; ///< the second side; of a wall unused
   bool on_plane = false;
   double restitution = 1; ///< of an elastic contact: viscous damping gives it, plastic loss comes on top
   double friction = 0;    ///< Coulomb's coefficient
@@ -34,7 +47,7 @@ double damping_of(double restitution);
 
 /// The laws of two materials. One table serves all radii of the same ratio, t = |R1 - R2|/(R1 + R2), 0 for
 /// equal spheres and 1 against a plane; others take the next of 512, whose force is right to 0.3 %. Each is
-/// made when it is first needed.
+/// made when it is first needed; of unlike bodies they are coarse (law::coarse_table).
 class Laws {
  public:
   Laws(Contact, int index, const Units&);
@@ -48,7 +61,7 @@ class Laws {
   PLATEN_HOT At at(double R1, double R2) {
     if (R1 == R2 && plain) { // equal spheres, most often
       const double R = R1 * length, square = R * R;
-      return {node_[0].get(), {R, 0.5 / R, square, 2 * R * square}};
+      return {first_.get(), {R, 0.5 / R, square, 2 * R * square}};
     }
     return between(R1, R2);
   }
@@ -67,14 +80,16 @@ class Laws {
 
  private:
   static constexpr int last = 512; ///< t = k/512
+  [[nodiscard]] bool alike() const { return contact.on_plane || contact.one->file == contact.two->file; }
   At between(double R1, double R2);
   const law::Table* node(int k, bool first_is_larger);
   void check_radius(const fit::LawCard&, double R) const;
 
   double length = 1, force_power = 2;
-  bool fixed = false; ///< a card is for one radius alone
-  bool plain = false; ///< nothing to be asked of equal spheres
-  std::array<std::shared_ptr<const law::Table>, last + 1> node_, mirrored_; ///< first sphere smaller; larger
+  bool fixed = false;                                              ///< a card is for one radius alone
+  bool plain = false;                                              ///< nothing to be asked of equal spheres
+  std::shared_ptr<const law::Table> first_;                        ///< of equal spheres, or on a plane
+  std::vector<std::shared_ptr<const law::Table>> node_, mirrored_; ///< first sphere smaller; larger
 };
 
 /// The response of the laws at an overlap, with the largest overlap so far [m].

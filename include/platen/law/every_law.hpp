@@ -116,7 +116,7 @@ PLATEN_CATALOGUE Law make_law(const LawChoice& one, double R1, const LawChoice& 
           " a form of its own, and cannot be joined with another law; give both sides the same");
   const auto side = [](const Law& like) {
     const double end = like.table->valid[0][1];
-    return JoinedSide{like.table.get(), larger(0.5, smaller(end, 1.0)), end};
+    return JoinedSide{like.table.get(), larger(0.5, smaller(end, 1.0))};
   };
   const auto body = [](const Law& like, double R) {
     Body own = like.pair.body[0];

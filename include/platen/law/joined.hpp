@@ -31,7 +31,6 @@ namespace platen::law {
 struct JoinedSide {
   const Table* table = nullptr; ///< none: rigid
   double x_end = 0.5;           ///< its curve is followed to here
-  double x_valid = 0.5;         ///< it holds to here
 };
 
 namespace detail {
@@ -51,14 +50,22 @@ inline double overlap_at(const TableView& t, double F, double guess) {
 /// A body and the radius L of its pair with its like [m].
 struct OwnPair {
   JoinedSide side;
-  double E_flat = 0, L = 0, curvature = 0;
+  double E_flat = 0, L = 0;
 
   OwnPair(const JoinedSide& side_, const Body& body, double A)
       : side(side_), E_flat(1 / (body.compliance * (1 - body.nu * body.nu))),
-        L(std::min(1 / body.curvature, 2 / A)), curvature(body.curvature) {}
+        L(std::min(1 / body.curvature, 2 / A)) {}
 
-  [[nodiscard]] bool in_range(double x) const {
-    return !side.table || (x <= side.x_valid && side.table->in_range(x));
+  [[nodiscard]] bool in_range(double x) const { return !side.table || side.table->in_range(x); }
+  /// At a force over the square of its radius; a rigid body gives way nowhere.
+  [[nodiscard]] double overlap(double F_over_square, double guess) const {
+    return side.table ? overlap_at(*side.table, F_over_square, guess) : 0;
+  }
+  /// To where its curve is Hertz's, of one that begins so.
+  [[nodiscard]] double x_hertz() const {
+    const Cell& first = side.table->cell_list.front();
+    const bool begins = side.table->x_elastic > 0 && first.left == 0 && first.alpha == 1.5;
+    return begins ? std::min({side.table->x_elastic, side.table->valid[0][1] / 2, side.x_end / 2}) : 0;
   }
 };
 
@@ -96,19 +103,6 @@ inline double joined_sum(double u1, double k1, double u2, double k2, double q) {
   return most * std::pow(k1 * std::pow(u1 / most, q) + k2 * std::pow(u2 / most, q), 1 / q);
 }
 
-/// Whether the flatter of two is the softer, in pairs of one size.
-inline bool dents(const OwnPair& one, const OwnPair& two, double F_over_square, double guess) {
-  const bool swap = two.curvature < one.curvature;
-  const OwnPair &flat = swap ? two : one, &sharp = swap ? one : two;
-  constexpr double more = 1 + 1e-9;
-  if (!flat.side.table || flat.side.table == sharp.side.table || flat.curvature * more >= sharp.curvature)
-    return false;
-  const auto overlap = [&](const OwnPair& own) {
-    return own.side.table ? overlap_at(*own.side.table, F_over_square, guess) : 0;
-  };
-  return overlap(flat) > overlap(sharp) * more;
-}
-
 } // namespace detail
 
 inline KnotCurve join(const Pair& pair, const JoinedSide& side1, const JoinedSide& side2) {
@@ -121,10 +115,19 @@ inline KnotCurve join(const Pair& pair, const JoinedSide& side1, const JoinedSid
   std::vector<Knot> knots;
   InRange valid{infinity, infinity};
   double partner = 0;
-  const double low = std::min({0x1p-14, table1.x_first, table2 ? table2->x_first : 1.0});
-  constexpr int per_octave = 24;
   // Their radii differ by a factor of 2 at most, x of elastic ones by 2.5.
-  for (double x1 = std::max(low, 0x1p-22) / 10; x1 <= one.side.x_end; x1 *= std::exp2(1.0 / per_octave)) {
+  double x_begin =
+      std::max(std::min({0x1p-14, table1.x_first, table2 ? table2->x_first : 1.0}), 0x1p-22) / 10;
+  const bool hertz = one.x_hertz() > 0 && (!table2 || two.x_hertz() > 0);
+  if (hertz) { // to where the first one yields
+    x_begin = one.x_hertz();
+    if (table2) {
+      const double F = table2->top(two.x_hertz()).F * two.L * two.L;
+      x_begin = std::min(x_begin, one.overlap(F / (one.L * one.L), x_begin));
+    }
+  }
+  constexpr int per_octave = 16;
+  for (double x1 = x_begin; x1 <= one.side.x_end; x1 *= std::exp2(1.0 / per_octave)) {
     const Top top1 = table1.top(x1);
     const double F = top1.F * one.L * one.L;
     const detail::OwnContact a(one, x1, top1);
@@ -149,8 +152,10 @@ inline KnotCurve join(const Pair& pair, const JoinedSide& side1, const JoinedSid
     const double compliance = a.compliance + b.compliance,
                  alpha = (a.compliance * a.alpha + b.compliance * b.alpha) / compliance;
     knots.push_back({x, F / square, std::sqrt(area / square), pair.A * std::sqrt(area) / compliance, alpha});
-    const bool in_range =
-        one.in_range(a.x) && two.in_range(b.x) && !(x > x_dented && detail::dents(one, two, F / square, x));
+    const auto hardness = [&](const detail::OwnPair& own) { return -own.overlap(F / square, x); };
+    const bool in_range = one.in_range(a.x) && two.in_range(b.x) &&
+                          (x <= x_dented || x <= flattened_to(infinity, pair, hardness(i == 0 ? one : two),
+                                                              hardness(i == 0 ? two : one)));
     if (in_range && !(valid.from < infinity)) valid.from = knots.size() == 1 ? 0 : x;
     if (!in_range && valid.from < infinity) valid.to = std::min(valid.to, x);
   }
@@ -158,7 +163,7 @@ inline KnotCurve join(const Pair& pair, const JoinedSide& side1, const JoinedSid
   valid.to = std::min(valid.to, knots.back().x);
   const bool elastic = table1.x_elastic > 0 && (!table2 || table2->x_elastic > 0);
   const double n_first = std::log(knots[1].F / knots[0].F) / std::log(knots[1].x / knots[0].x);
-  return {pair, knots, std::abs(n_first - 1.5) < 1e-3 ? 1.5 : n_first, elastic, valid};
+  return {pair, knots, hertz || std::abs(n_first - 1.5) < 1e-3 ? 1.5 : n_first, elastic, valid};
 }
 
 } // namespace platen::law

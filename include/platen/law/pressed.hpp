@@ -157,11 +157,11 @@ inline KnotCurve prepare(const PressedMaterial& m1, double R1, const PressedMate
   JoinedSide one, two;
   if (!rigid1) {
     table1 = tabulate(detail::prepare_like(m1, detail::like_pair(m1))).table;
-    one = {table1.get(), m1.delta_bar.back(), m1.delta_bar.back()};
+    one = {table1.get(), m1.delta_bar.back()};
   }
   if (!rigid2) {
     table2 = m1 == m2 ? table1 : tabulate(detail::prepare_like(m2, detail::like_pair(m2))).table;
-    two = {table2.get(), m2.delta_bar.back(), m2.delta_bar.back()};
+    two = {table2.get(), m2.delta_bar.back()};
   }
   return join(pair, one, two);
 }

@@ -62,12 +62,12 @@ struct Top {
 
 /// A table without ownership: plain data that may be copied to another device with what it points to.
 struct TableView {
-  static constexpr int bits = 6;          ///< 64 slots an octave of x lead to the cells
   static constexpr double x_limit = 1000; ///< from here on everything is held
 
   const Cell* cells = nullptr;
   const std::uint16_t* slot = nullptr; ///< the cell at the left end of each slot
   std::int64_t base = 0;
+  int bits = 6; ///< 2^bits slots an octave of x lead to the cells
   int slots = 0;
   Top first;                           ///< at x_first
   double x_first = 0;                  ///< up to here powers of x; `first` without force: no contact
@@ -112,9 +112,10 @@ struct TableView {
 struct TableAccuracy {
   double force = 2e-5, slope = 2e-4, radius = 5e-5, rate = 3e-5;
   double lost = 3e-5; ///< over the work of loading
+  int bits = 6;       ///< of a TableView
 };
-/// Two fifths of the memory, where other errors are larger.
-inline constexpr TableAccuracy coarse_table{2e-4, 2e-3, 1e-3, 1e-3, 1e-3};
+/// A tenth of the memory, where other errors are larger.
+inline constexpr TableAccuracy coarse_table{1e-3, 5e-2, 5e-3, 1e-2, 3e-3, 4};
 
 /// A table and its cells.
 struct Table : TableView {

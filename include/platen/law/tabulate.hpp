@@ -164,8 +164,9 @@ template <class L> class Tabulator {
     t.first = {s.F, s.slope, s.a, x, t.n_first, 0};
     if (!elastic(x)) {
       t.first.w = bent(s) ? x : x / s.rate_x * (1 - stiffer);
-      t.first.alpha = bent(s) ? s.alpha * (1 + stiffer) : s.alpha;
+      t.first.alpha = bent(s) ? s.alpha * s.rate_x * (1 + stiffer) : s.alpha;
       t.first.lost = std::max(0.0, work - t.first.back());
+      lost = work - t.first.back();
     }
   }
 
@@ -174,7 +175,8 @@ template <class L> class Tabulator {
       if (std::abs(exponent - known) < 1e-9) return known;
     return exponent;
   }
-  static bool bent(const Sample& s) { return std::abs(s.rate_x - 1) < 1e-12; }
+  /// Whether unloading ends at the origin.
+  [[nodiscard]] bool bent(const Sample& s) const { return std::abs(s.rate_x - 1) < accuracy.rate / 30; }
 
   /// Cells from `left` to `right`: one, or halves where one does not follow the formulas. Where unloading
   /// begins or ceases to end at the origin the formulas have a kink that no law can name: there the two
@@ -196,7 +198,10 @@ template <class L> class Tabulator {
       between(middle, right);
       return;
     }
-    work += work_in(cell, std::sqrt(right) - cell.left);
+    const double h = std::sqrt(right) - cell.left;
+    work += work_in(cell, h);
+    if (!elastic(right))
+      lost = work - cell.F.value(h) * cell.w.value(h) / (1 + cell.alpha + h * cell.alpha_slope);
     table->cell_list.push_back(cell);
     if (table->cell_list.size() > 4000) throw BadParameter("law: its curve changes too often for a table");
   }
@@ -217,6 +222,32 @@ template <class L> class Tabulator {
     return t * (twice * F.c0 + t * ((twice * F.c1 + 2 * F.c0) / 2 +
                                     t * ((twice * F.c2 + 2 * F.c1) / 3 +
                                          t * ((twice * F.c3 + 2 * F.c2) / 4 + t * F.c3 * 2 / 5))));
+  }
+
+  /// How unloading goes in a cell, at four points: as the formulas say, but giving back no more than lets the
+  /// lost work grow where theirs does.
+  void unload(double h, const Sample* s, bool to_origin, Cell& c) const {
+    double w[4], alpha[4], least = lost, formula_before = 0;
+    for (int i = 0; i < 4; ++i) {
+      const Sample& v = s[i * checks / 3];
+      const double t = h * i / 3, x = (c.left + t) * (c.left + t);
+      const double F = c.F.value(t), W = work + work_in(c, t),
+                   formula = W - v.F * x / (v.rate_x * (1 + v.alpha));
+      w[i] = to_origin ? x : x / v.rate_x * (1 - stiffer);
+      alpha[i] = to_origin ? v.alpha * v.rate_x * (1 + stiffer)
+                           : s[0].alpha + i / 3.0 * (s[checks].alpha - s[0].alpha);
+      const double wanted = F * w[i] / (1 + alpha[i]);
+      double back = wanted;
+      if (i > 0) least += std::min(formula - formula_before, 0.0);
+      if (table->shape == Shape::power && back > W - least) {
+        back = std::max(W - least, wanted * (1 - accuracy.rate / 2));
+        (to_origin ? alpha : w)[i] = to_origin ? F * x / back - 1 : back * (1 + alpha[i]) / F;
+      }
+      least = W - back, formula_before = formula;
+    }
+    c.w = to_origin ? Cubic{c.left * c.left, 2 * c.left, 1, 0} : Cubic::through(h, w[0], w[1], w[2], w[3]);
+    c.alpha = alpha[0];
+    c.alpha_slope = (alpha[3] - alpha[0]) / h;
   }
 
   bool make_cell(double left, double right, Cell& c) const {
@@ -241,28 +272,23 @@ template <class L> class Tabulator {
         return false; // soonest: half of all cells end here
     }
     c.a = Cubic::through(h, s[0].a, s[checks / 3].a, s[2 * checks / 3].a, s[checks].a);
-    c.alpha = s[0].alpha;
-    c.alpha_slope = (s[checks].alpha - s[0].alpha) / h;
     const bool is_elastic = elastic(right);
-    int ends_at_origin = 0;
-    for (const Sample& v : s) ends_at_origin += bent(v);
-    if (is_elastic || ends_at_origin == checks + 1) {
+    const auto ends_at_origin = std::count_if(s, s + checks + 1, [&](const Sample& v) { return bent(v); });
+    if (is_elastic) {
       c.w = {c.left * c.left, 2 * c.left, 1, 0};
-      c.alpha *= 1 + stiffer, c.alpha_slope *= 1 + stiffer;
-    } else {
-      const auto w = [&](int k) { return x_at(k, checks) / s[k].rate_x * (1 - stiffer); };
-      c.w = Cubic::through(h, w(0), w(checks / 3), w(2 * checks / 3), w(checks));
-    }
-    if (is_elastic) c.alpha = s[0].slope * left / s[0].F, c.alpha_slope = 0;
+      c.alpha = s[0].slope * left / s[0].F;
+    } else unload(h, s, ends_at_origin > checks, c);
     bool follows = is_elastic || ends_at_origin == 0 || ends_at_origin == checks + 1;
-    double lost[checks + 1] = {}, lost_formula = 0, work_here = work;
+    double losses[checks + 1] = {}, lost_formula = 0, work_here = work;
     for (int k = 0; k <= checks; ++k) {
       const double x = x_at(k, checks), t = h * k / checks, F = c.F.value(t);
       follows = follows && near(F, s[k].F, accuracy.force) && near(c.a.value(t), s[k].a, accuracy.radius) &&
                 near(c.F.slope(t) / (2 * std::sqrt(x)), s[k].slope, accuracy.slope);
       if (is_elastic) continue;
       const double alpha = c.alpha + t * c.alpha_slope, w = c.w.value(t);
-      follows = follows && near(x / w, s[k].rate_x, accuracy.rate) && near(alpha, s[k].alpha, accuracy.rate);
+      follows = follows && near(x / w, s[k].rate_x, accuracy.rate) &&
+                near(alpha, s[k].alpha, accuracy.rate) &&
+                (w <= x * (1 + 1e-9) || s[k].rate_x < 1); // nor past the origin
       // Unloading starts below the loading curve, and the lost work grows, where they do in the formulas.
       const double steepness = s[k].alpha * s[k].rate_x * s[k].F / (s[k].slope * x);
       const double here = alpha * F / (w * c.F.slope(t)) * 2 * std::sqrt(x);
@@ -273,16 +299,17 @@ template <class L> class Tabulator {
                   near(c.F.slope(t) / (2 * std::sqrt(x)), s[k].slope, accuracy.slope / 20);
       const double work_before = work_here, lost_before = lost_formula;
       work_here = work + work_in(c, t);
-      lost[k] = work_here - F * w / (1 + alpha);
+      losses[k] = work_here - F * w / (1 + alpha);
       lost_formula = work_here - s[k].F * x / (s[k].rate_x * (1 + s[k].alpha));
-      follows = follows && (k == 0 || lost[k] >= lost[k - 1] ||
-                            lost_formula - lost_before < 1e-5 * (work_here - work_before));
+      const double hardly = 1e-5 * (work_here - work_before);
+      follows =
+          follows && (k == 0 || losses[k] >= losses[k - 1] - hardly || lost_formula - lost_before < hardly);
     }
     if (is_elastic) return follows;
-    c.lost = Cubic::through(h, lost[0], lost[checks / 3], lost[2 * checks / 3], lost[checks]);
-    if (lost[checks] >= lost[0]) c.lost = rising(h, c.lost);
+    c.lost = Cubic::through(h, losses[0], losses[checks / 3], losses[2 * checks / 3], losses[checks]);
+    if (losses[checks] >= losses[0]) c.lost = rising(h, c.lost);
     for (int k = 0; k <= checks; ++k)
-      follows = follows && std::abs(c.lost.value(h * k / checks) - lost[k]) <= accuracy.lost * work_here;
+      follows = follows && std::abs(c.lost.value(h * k / checks) - losses[k]) <= accuracy.lost * work_here;
     return follows;
   }
 
@@ -300,11 +327,12 @@ template <class L> class Tabulator {
       c.w = {x, 2 * c.left, 1, 0};
       c.alpha = s.slope * x / s.F;
     } else {
-      c.w = {x / s.rate_x, 0, 0, 0};
+      double back = s.F * x / (s.rate_x * (1 + s.alpha));
+      if (table->shape == Shape::power) back = std::min(back, work - lost);
+      c.w = {back * (1 + s.alpha) / s.F, 0, 0, 0};
       // D = W - F w/(1 + alpha), without its fourth power of t, far outside any validity
-      const double lost = work - s.F * c.w.c0 / (1 + s.alpha);
       const double d1 = s.F - s.slope * c.w.c0 / (1 + s.alpha);
-      c.lost = {lost, 2 * c.left * d1, d1 + 2 * c.left * c.left * s.slope, 2 * c.left * s.slope};
+      c.lost = {work - back, 2 * c.left * d1, d1 + 2 * c.left * c.left * s.slope, 2 * c.left * s.slope};
     }
     table->cell_list.push_back(c);
   }
@@ -340,14 +368,15 @@ template <class L> class Tabulator {
 
   void index() {
     Table& t = *table;
-    const auto bits_of = [](double v) { return std::bit_cast<std::int64_t>(v) >> (52 - TableView::bits); };
+    t.bits = accuracy.bits;
+    const auto bits_of = [&](double v) { return std::bit_cast<std::int64_t>(v) >> (52 - t.bits); };
     if (from_nothing) t.x_first = 0x1p-300; // below it no contact
     const auto begins = [](const Cell& c) { return c.left * c.left; };
     t.base = from_nothing ? bits_of(t.cell_list.front().end) - 1 : bits_of(begins(t.cell_list.front()));
     t.slots = static_cast<int>(bits_of(begins(t.cell_list.back())) - t.base) + 1;
     std::uint16_t cell = 0;
     for (int k = 0; k < t.slots; ++k) {
-      const double left = std::bit_cast<double>((t.base + k) << (52 - TableView::bits));
+      const double left = std::bit_cast<double>((t.base + k) << (52 - t.bits));
       while (t.cell_list[cell].end <= left) ++cell;
       t.slot_list.push_back(cell);
     }
@@ -365,7 +394,7 @@ template <class L> class Tabulator {
   const L& law;
   const TableAccuracy accuracy;
   const double per_gamma, R_e, force;
-  double x_end = 1, work = 0;
+  double x_end = 1, work = 0, lost = -infinity; ///< of the cells so far
   bool from_nothing = false;
   std::shared_ptr<Table> table;
 };

@@ -12,6 +12,7 @@ namespace {
 
 using namespace law;
 using namespace law::testing;
+using fit::LawCard;
 
 TEST(Contacts, OfAnyRadiiAreWithin0_3PerCentOfTheLawOfThoseRadii) {
   Random random;
@@ -22,8 +23,8 @@ TEST(Contacts, OfAnyRadiiAreWithin0_3PerCentOfTheLawOfThoseRadii) {
       two.variant = one.variant;
       for (const char* word : {"loading", "unloading"})
         if (one.parameters.contains(word)) two.parameters[word] = one.parameters[word];
-      Laws laws({{"one.toml", name, one.variant, one.parameters, {}, {}, {}},
-                 {"two.toml", name, two.variant, two.parameters, {}, {}, {}}},
+      Laws laws({LawCard{"one.toml", name, one.variant, one.parameters, {}, {}, {}},
+                 LawCard{"two.toml", name, two.variant, two.parameters, {}, {}, {}}},
                 0, {});
       for (int k = 0; k < 5; ++k) {
         const double R1 = 1e-3, R2 = k == 0 ? 1.02e-3 : random.log_between(5e-5, 2e-2);
@@ -40,13 +41,29 @@ TEST(Contacts, OfAnyRadiiAreWithin0_3PerCentOfTheLawOfThoseRadii) {
   EXPECT_GT(worst, 1e-4); // else the tables were not shared
 }
 
+TEST(Contacts, OfAHundredMaterialsTake40MB) { // 4,950 pairs, of spheres of one size
+  Random random;
+  constexpr int pairs = 100;
+  double sum = 0, most = 0;
+  for (int i = 0; i < pairs; ++i) {
+    const LawChoice one = random_material(find_law("pressed"), random),
+                    two = random_material(find_law("pressed"), random);
+    const Laws laws({LawCard{"one.toml", "pressed", one.variant, one.parameters, {}, {}, {}},
+                     LawCard{"two.toml", "pressed", two.variant, two.parameters, {}, {}, {}}},
+                    0, {});
+    sum += static_cast<double>(laws.bytes()), most = std::max(most, static_cast<double>(laws.bytes()));
+  }
+  std::printf("a pair takes %.1f kB, at most %.1f\n", sum / pairs / 1e3, most / 1e3);
+  EXPECT_LE(sum / pairs * 4950, 40e6);
+}
+
 TEST(Contacts, OfUnlikeRadiiTakeLessMemoryThanOfLikeOnes) {
   Random random;
   double like = 0, unlike = 0;
   for (int i = 0; i < 10; ++i) {
     const LawChoice one = random_material(find_law("pressed"), random);
-    Laws laws({{"one.toml", "pressed", one.variant, one.parameters, {}, {}, {}},
-               {"one.toml", "pressed", one.variant, one.parameters, {}, {}, {}}},
+    Laws laws({LawCard{"one.toml", "pressed", one.variant, one.parameters, {}, {}, {}},
+               LawCard{"one.toml", "pressed", one.variant, one.parameters, {}, {}, {}}},
               0, {});
     const auto before = static_cast<double>(laws.bytes());
     for (const double R2 : {1.1e-3, 2e-3}) (void)laws.at(1e-3, R2);

@@ -17,8 +17,7 @@ Law like(const LawChoice& one) { return make_law(one, 1, one, 1); }
 /// The same pair from its own formulas, and joined.
 void expect_same(const LawChoice& a, const LawChoice& b, double R2, double x_valid) {
   const Law exact = make_law(a, 1e-3, b, R2), one = like(a), two = like(b);
-  const Law joined =
-      tabulate(join(exact.pair, {one.table.get(), 0.5, x_valid}, {two.table.get(), 0.5, x_valid}));
+  const Law joined = tabulate(join(exact.pair, {one.table.get()}, {two.table.get()}));
   for (double x = 1e-4; x < x_valid; x *= 1.07) {
     const double gamma = x / exact.scale.x_per_gamma;
     const Response want = evaluate(exact, State{}, gamma), got = evaluate(joined, State{}, gamma);
@@ -50,7 +49,7 @@ TEST(Joined, OfEqualBodiesIsTheirCurve) {
   Random random;
   const LawChoice granule = random_material(find_law("pressed"), random);
   const Law alone = like(granule),
-            joined = tabulate(join(alone.pair, {alone.table.get(), 0.5, 0.5}, {alone.table.get(), 0.5, 0.5}));
+            joined = tabulate(join(alone.pair, {alone.table.get()}, {alone.table.get()}));
   for (double x = 1e-3; x < 0.49; x *= 1.1) {
     const double gamma = x / alone.scale.x_per_gamma, F = evaluate(alone, State{}, gamma).force;
     EXPECT_NEAR(evaluate(joined, State{}, gamma).force, F, 1e-3 * F) << x;
@@ -74,7 +73,7 @@ TEST(Joined, IsNearLawsThatKnowBothModuli) {
     for (const auto& [E, sigma, of_agarwal, most, most_from_0_1] : second) {
       const LawChoice a = metal(law, "1e9", "1e7"), b = metal(law, E, sigma);
       const Law exact = make_law(a, 1e-3, b, 1e-3), one = like(a), two = like(b);
-      const Law joined = tabulate(join(exact.pair, {one.table.get(), 0.5, 0.5}, {two.table.get(), 0.5, 0.5}));
+      const Law joined = tabulate(join(exact.pair, {one.table.get()}, {two.table.get()}));
       for (double x : {1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1, 0.3}) {
         const double gamma = x / exact.scale.x_per_gamma, F = evaluate(exact, State{}, gamma).force;
         const double bound = law == "agarwal" ? of_agarwal : x < 0.1 ? most : most_from_0_1;
