@@ -111,11 +111,12 @@ struct TableView {
 /// How far a table may be from the formulas that it is made from, relative.
 struct TableAccuracy {
   double force = 2e-5, slope = 2e-4, radius = 5e-5, rate = 3e-5;
-  double lost = 3e-5; ///< over the work of loading
-  int bits = 6;       ///< of a TableView
+  double lost = 3e-5;  ///< over the work of loading
+  int bits = 6;        ///< of a TableView
+  double bent = 1e-12; ///< unloading that ends so near the origin, over x, ends there
 };
 /// A tenth of the memory, where other errors are larger.
-inline constexpr TableAccuracy coarse_table{1e-3, 5e-2, 5e-3, 1e-2, 3e-3, 4};
+inline constexpr TableAccuracy coarse_table{1e-3, 5e-2, 5e-3, 1e-2, 3e-3, 4, 3e-4};
 
 /// A table and its cells.
 struct Table : TableView {

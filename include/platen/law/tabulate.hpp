@@ -176,7 +176,7 @@ template <class L> class Tabulator {
     return exponent;
   }
   /// Whether unloading ends at the origin.
-  [[nodiscard]] bool bent(const Sample& s) const { return std::abs(s.rate_x - 1) < accuracy.rate / 30; }
+  [[nodiscard]] bool bent(const Sample& s) const { return std::abs(s.rate_x - 1) < accuracy.bent; }
 
   /// Cells from `left` to `right`: one, or halves where one does not follow the formulas. Where unloading
   /// begins or ceases to end at the origin the formulas have a kink that no law can name: there the two
