@@ -60,7 +60,7 @@ Laws::Laws(Contact contact_, int index_, const Units& units)
     const law::LawChoice one = fit::body_of(*contact.one, contact.on_plane);
     const law::Law law = contact.on_plane ? law::make_law_on_plane(one, 1)
                                           : law::make_law(one, 1, fit::body_of(*contact.two), 1,
-                                                          alike() ? law::TableAccuracy{} : law::coarse_table);
+                                                          alike() ? law::TableAccuracy{} : law::joined_table);
     shear = eight_G(law.pair) * units.length / units.force;
     first_ = law.table;
     force_power = law.force_power;
@@ -92,8 +92,9 @@ const law::Table* Laws::node(int k, bool first_is_larger) {
                large = k == last ? law::infinity : 1 + t;
   const law::LawChoice one = fit::body_of(*contact.one), two = fit::body_of(*contact.two);
   // The ratio of the radii is rounded, which is a tenth of a per cent of the force: a coarse table will do.
-  table = (first_is_larger ? law::make_law(one, large, two, small, law::coarse_table)
-                           : law::make_law(one, small, two, large, law::coarse_table))
+  const law::TableAccuracy& accuracy = alike() ? law::coarse_table : law::joined_table;
+  table = (first_is_larger ? law::make_law(one, large, two, small, accuracy)
+                           : law::make_law(one, small, two, large, accuracy))
               .table;
   return table.get();
 }

@@ -47,7 +47,7 @@ double damping_of(double restitution);
 
 /// The laws of two materials. One table serves all radii of the same ratio, t = |R1 - R2|/(R1 + R2), 0 for
 /// equal spheres and 1 against a plane; others take the next of 512, whose force is right to 0.3 %. Each is
-/// made when it is first needed; of unlike bodies they are coarse (law::coarse_table).
+/// made when it is first needed; of unlike bodies they are coarse (law::joined_table).
 class Laws {
  public:
   Laws(Contact, int index, const Units&);

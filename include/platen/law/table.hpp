@@ -115,8 +115,10 @@ struct TableAccuracy {
   int bits = 6;        ///< of a TableView
   double bent = 1e-12; ///< unloading that ends so near the origin, over x, ends there
 };
-/// A tenth of the memory, where other errors are larger.
-inline constexpr TableAccuracy coarse_table{1e-3, 5e-2, 5e-3, 1e-2, 3e-3, 4, 3e-4};
+/// Two fifths of the memory, where the ratio of radii is rounded.
+inline constexpr TableAccuracy coarse_table{2e-4, 2e-3, 1e-3, 1e-3, 1e-3};
+/// A tenth, of unlike bodies: the rule that joins them is right to a few per cent (joined.hpp).
+inline constexpr TableAccuracy joined_table{1e-3, 5e-2, 5e-3, 1e-2, 3e-3, 4, 3e-4};
 
 /// A table and its cells.
 struct Table : TableView {

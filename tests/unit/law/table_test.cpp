@@ -140,7 +140,7 @@ TEST(Table, OfUnlikeBodiesNeverCreatesEnergyEither) { // coarse, as a DEM code m
   for (int i = 0; i < 300 / share; ++i) {
     const LawInfo& info = find_law(i % 3 ? "pressed" : "edmans-sinka");
     const LawChoice one = random_material(info, random), two = random_material(find_law("pressed"), random);
-    const Law law = make_law(one, 1e-3, two, 1e-3 * (i % 2 ? 1 : random.log_between(0.2, 5)), coarse_table);
+    const Law law = make_law(one, 1e-3, two, 1e-3 * (i % 2 ? 1 : random.log_between(0.2, 5)), joined_table);
     for (int path = 0; path < 50; ++path)
       expect_sound_path(law, std::min(1.0, law.table->valid[0][1]) / law.scale.x_per_gamma, random);
     ASSERT_FALSE(HasFailure()) << text_of(one) << '\n' << text_of(two);

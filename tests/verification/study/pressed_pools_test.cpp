@@ -104,7 +104,7 @@ TEST(PressedPools, EveryCurveIsItsLawAsTheDocumentSays) {
   constexpr std::size_t pairs = 94;
   for (std::size_t i = 0; i < pairs; ++i) {
     const auto &one = materials[2 * i], &two = materials[(2 * i + 61) % materials.size()];
-    bytes += static_cast<double>(law::tabulate(prepare(one, 1, two, 1), law::coarse_table).table->bytes());
+    bytes += static_cast<double>(law::tabulate(prepare(one, 1, two, 1), law::joined_table).table->bytes());
   }
   std::printf("a table of two: %.1f kB\n", bytes / pairs / 1e3);
   EXPECT_LE(bytes / pairs * 4950, 40e6);
