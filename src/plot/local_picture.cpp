@@ -85,7 +85,10 @@ void approach_picture(const press::Result& result, const std::filesystem::path& 
   int branch = 0;
   for (const auto& p : curve.points) {
     const bool loads = p.branch == press::Branch::loading;
-    if (!loads && p.branch_id != branch && branch++) others += '\n'; // lifts the pen
+    if (!loads && p.branch_id != branch) {
+      if (branch > 0) others += '\n'; // lifts the pen
+      ++branch;
+    }
     (loads ? loading : others) += line(p.hertz_delta_m, p.force_N);
   }
   for (int i = 0; i <= 200; ++i) {

@@ -109,9 +109,9 @@ Sections sections(const std::vector<press::Snapshot>& snapshots, const std::stri
   scene.items.push_back(
       Text{{margin, margin + 0.8 * title_size}, title, title_size, Anchor::start, ink, true});
   for (std::size_t i = 0; i < snapshots.size(); ++i) {
+    const std::size_t row = i / columns;
     const Point centre{left + (static_cast<double>(i % columns) + 0.5) * panel_width - gap / 2,
-                       top + static_cast<double>(i / columns) * panel_height + plane_thickness +
-                           reach_z * radius};
+                       top + static_cast<double>(row) * panel_height + plane_thickness + reach_z * radius};
     add_planes(scene, snapshots[i], centre, radius, reach_r * radius);
     add_particle(scene, snapshots[i], colour(snapshots[i]), palette, centre, radius);
     scene.items.push_back(Text{{centre.x, centre.y + reach_z * radius + plane_thickness + 10 + label_size},

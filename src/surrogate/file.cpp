@@ -245,7 +245,7 @@ Surrogate parse_surrogate(std::string_view text, const std::string& file) {
   Guide guide{in.count_of(press[0]), press[1], 0, {}};
   guide.band = in.number("band");
   guide.left_out = read_errors(in, "left_out");
-  s.guide = std::move(guide);
+  s.guide = guide;
   return s;
 }
 

@@ -126,7 +126,7 @@ inline KnotCurve join(const Pair& pair, const JoinedSide& side1, const JoinedSid
       x_begin = std::min(x_begin, one.overlap(F / (one.L * one.L), x_begin));
     }
   }
-  constexpr int per_octave = 16;
+  constexpr int per_octave = 20;
   for (double x1 = x_begin; x1 <= one.side.x_end; x1 *= std::exp2(1.0 / per_octave)) {
     const Top top1 = table1.top(x1);
     const double F = top1.F * one.L * one.L;
