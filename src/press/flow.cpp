@@ -30,8 +30,9 @@ template <fe::Element E> PointFlow<E> next_return(const PointFlow<E>& last, doub
 
 double working_shear(double ahead, double dw, double cos_phi) {
   if (cos_phi < 0) return (ahead + dw) * (1 + cos_phi) / 2;
-  const double half = std::acos(std::min(cos_phi, 1.0)) / 2;
-  const double way = std::sqrt(ahead * ahead + dw * dw + 2 * ahead * dw * std::cos(2 * half));
+  cos_phi = std::min(cos_phi, 1.0);
+  const double half = std::acos(cos_phi) / 2;
+  const double way = std::sqrt(ahead * ahead + dw * dw + 2 * ahead * dw * cos_phi);
   return half > 0 ? way * half / std::sin(half) : way;
 }
 

@@ -135,6 +135,26 @@ TEST(Table, NeverCreatesEnergyOrFallsBelowZero) {
     }
 }
 
+TEST(Table, OfUnlikeBodiesFollowsTheirRule) { // docs/laws/index.md
+  Random random;
+  Worst worst;
+  for (int i = 0; i < 200 / share; ++i) {
+    const LawChoice one = random_material(find_law("pressed"), random),
+                    two = random_material(find_law("pressed"), random);
+    const Law law = make_law(one, 1e-3, two, 1e-3 * (i % 2 ? 1 : random.log_between(0.2, 5)), joined_table);
+    const double end = std::min(law.table->valid[0][1], 1.0);
+    for (int k = 0; k < 50; ++k) {
+      const double x = end * random.log_between(1e-5, 1), gamma = x / law.scale.x_per_gamma;
+      const Response fast = evaluate(law, State{}, gamma), exact = law.formulas(State{}, gamma);
+      worst.force = std::max(worst.force, std::abs(fast.force / exact.force - 1));
+      worst.stiffness = std::max(worst.stiffness, std::abs(fast.stiffness / exact.stiffness - 1));
+    }
+  }
+  std::printf("unlike bodies: force %.1e, stiffness %.1e\n", worst.force, worst.stiffness);
+  EXPECT_LE(worst.force, 2e-3);
+  EXPECT_LE(worst.stiffness, 6e-2);
+}
+
 TEST(Table, OfUnlikeBodiesNeverCreatesEnergyEither) { // coarse, as a DEM code makes it
   Random random;
   for (int i = 0; i < 300 / share; ++i) {
