@@ -9,7 +9,7 @@
 // One law for all particles; a geometry is a rigid plane. EDEM's own coefficients of restitution (of an
 // elastic contact, by viscous damping) and static friction (Mindlin's stiffness 8 G* a) hold; its moduli do
 // not matter.
-#include "functions.cu" // of the export; the law and its G*
+#include "functions.cu" // of the export; the law, its G* and damping
 
 #include "ICustomPropertyManagerApi_1_0.h"
 #include "IPluginContactModelV3_3_0.h"
@@ -26,10 +26,11 @@ using namespace NCalcForceTypesV3_0_0;
 constexpr const char* memory_name = "PlatenMemory";
 constexpr unsigned memory_size = 5; // largest overlap [m], tangential force [N] (3), its stiffness [N/m]
 
-/// A Hertzian contact returns e at any velocity with c = damping sqrt(stiffness m).
+/// A Hertzian contact returns e at any velocity with c = damping sqrt(stiffness m); most have the same e.
 double damping_of(double e) {
-  const double l = std::log(e), pi = 3.14159265358979323846;
-  return e > 0 && e < 1 ? -2 * std::sqrt(5.0 / 6) * l / std::hypot(l, pi) : 0;
+  thread_local double last = 1, damping = 0;
+  if (e != last) last = e, damping = e > 0 && e < 1 ? platen_damping_of(e) : 0;
+  return damping;
 }
 
 class Platen : public NApiCm::IPluginContactModelV3_3_0 {
@@ -85,9 +86,8 @@ class Platen : public NApiCm::IPluginContactModelV3_3_0 {
     const CSimple3DVector velocity = one.velocityAtContactPoint - two.velocityAtContactPoint;
     const double along = n.dot(velocity);
     const double mass = two.isSphere ? one.mass * two.mass / (one.mass + two.mass) : one.mass;
-    const double damped =
-        law.force > 0 ? damping_of(interaction.coeffRest) * std::sqrt(law.stiffness * mass) * along : 0;
-    const double normal = law.force - damped;
+    const double c = law.force > 0 ? damping_of(interaction.coeffRest) * std::sqrt(law.stiffness * mass) : 0;
+    const double normal = std::fmax(law.force - c * along, 0); // never pulls
 
     // the tangential force shrinks with a; friction limits it
     const double k_t = platen_shear * law.contact_radius, wide = std::fmax(memory[4], k_t);
@@ -97,7 +97,7 @@ class Platen : public NApiCm::IPluginContactModelV3_3_0 {
     if (t.length() > limit) t = t * (limit / t.length());
 
     result.normalForce += n * normal;
-    result.usNormalForce += n * -damped;
+    result.usNormalForce += n * (normal - law.force);
     result.tangentialForce += t;
     const double now[memory_size] = {std::fmax(memory[0], overlap), t.getX(), t.getY(), t.getZ(), k_t};
     for (unsigned k = 0; k < memory_size; ++k) change[k] = now[k] - memory[k];

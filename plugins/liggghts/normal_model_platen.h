@@ -88,7 +88,7 @@ template <> class NormalModel<PLATEN> : public NormalModelBase {
     s.kt = 8 * shear_modulus(laws) * now.contact_radius;
     s.gamman = laws.damping * std::sqrt(now.stiffness * s.meff);
     s.gammat = tangential_damping_ ? laws.damping * std::sqrt(s.kt * s.meff) : 0;
-    s.Fn = now.force > 0 ? now.force - s.gamman * s.vn : 0;
+    s.Fn = now.force > 0 ? std::fmax(now.force - s.gamman * s.vn, 0) : 0; // never pulls
     const double area = s.is_wall ? s.area_ratio : 1;
     for (int k = 0; k < 3; k++) {
       i_forces.delta_F[k] += s.Fn * area * s.en[k];

@@ -77,6 +77,7 @@ class PlatenNormalSpecies : public virtual BaseSpecies {
     BaseSpecies::read(is);
     std::string word;
     is >> word >> restitution_;
+    damping_ = platen_damping_of(restitution_);
   }
   void write(std::ostream& os) const override {
     BaseSpecies::write(os);
@@ -84,26 +85,24 @@ class PlatenNormalSpecies : public virtual BaseSpecies {
   }
   std::string getBaseName() const { return "Platen"; }
   void mix(PlatenNormalSpecies* S, PlatenNormalSpecies* T) {
-    restitution_ = 0.5 * (S->restitution_ + T->restitution_);
+    setRestitution(0.5 * (S->restitution_ + T->restitution_));
   }
 
   void setRestitution(Mdouble e) {
     if (!(e > 0 && e <= 1)) logger(ERROR, "setRestitution(%): it is not a restitution coefficient in (0, 1]", e);
     restitution_ = e;
+    damping_ = platen_damping_of(e);
   }
   Mdouble getRestitution() const { return restitution_; }
   /// c = damping sqrt(stiffness m): a Hertzian contact returns e at any velocity.
-  Mdouble getDamping() const {
-    const Mdouble l = std::log(restitution_);
-    return -2 * std::sqrt(5.0 / 6) * l / std::hypot(l, 3.14159265358979323846);
-  }
+  Mdouble getDamping() const { return damping_; }
   /// Of two spheres of radius R when they begin to unload from this overlap, for time steps and tangential springs.
   static Mdouble getStiffness(Mdouble R, Mdouble overlap) {
     return platen_contact(R, R, overlap * (1 - 1e-9), overlap).stiffness;
   }
 
  private:
-  Mdouble restitution_ = 1;
+  Mdouble restitution_ = 1, damping_ = 0;
 };
 
 inline const PlatenNormalSpecies* PlatenInteraction::getSpecies() const {
@@ -117,8 +116,8 @@ inline void PlatenInteraction::computeNormalForce() {
   if (getOverlap() > 0) {
     overlapMax_ = std::max(overlapMax_, getOverlap());
     const PlatenResponse law = response();
-    if (law.force > 0)
-      force = law.force - getSpecies()->getDamping() * std::sqrt(law.stiffness * getEffectiveMass()) * getNormalRelativeVelocity();
+    const Mdouble c = getSpecies()->getDamping() * std::sqrt(law.stiffness * getEffectiveMass());
+    if (law.force > 0) force = std::max(law.force - c * getNormalRelativeVelocity(), 0.0); // never pulls
   }
   setAbsoluteNormalForce(std::abs(force));
   setForce(getNormal() * force);

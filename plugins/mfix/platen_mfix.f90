@@ -71,6 +71,7 @@ contains
   end subroutine
 
   !> Damping is c = 2 sqrt(5/6) |ln e|/sqrt(ln^2 e + pi^2) sqrt(m dF/dgamma): MFiX's for a spring of 5/6 of the stiffness.
+  !> A Hertzian contact returns e; its force, which MFiX adds up, may pull for a moment as the bodies part.
   subroutine follow(it, other, phase, overlap, kn, etan)
     type(contact), intent(inout) :: it
     integer, intent(in) :: other, phase

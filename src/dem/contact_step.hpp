@@ -16,12 +16,12 @@ struct Memory {
 };
 inline constexpr int memory_size = sizeof(Memory) / sizeof(double);
 
-/// The normal force with viscous damping, c = damping sqrt(dF/dgamma m). It may pull for a moment as the
-/// bodies part, as in LAMMPS: cut off there, a Hertzian contact asked for e = 0.5 returns 0.55.
+/// The normal force with viscous damping, c = damping sqrt(dF/dgamma m) (damping.hpp). It never pulls: a
+/// sphere that slides throughout has mu J_n.
 PLATEN_HOT double damped(double damping, const Units& u, double stiffness, double F, double mass,
                          double v_n) {
   if (!(F > 0)) return F; // apart
-  return F - damping * std::sqrt(stiffness * u.length / u.force * mass) * v_n;
+  return law::larger(F - damping * std::sqrt(stiffness * u.length / u.force * mass) * v_n, 0.0);
 }
 
 /// The tangential force follows the sliding with stiffness 8 G* a. When a shrinks it shrinks with it (else

@@ -2,12 +2,12 @@
 
 #include "core/error.hpp"
 #include "core/number.hpp"
+#include "dem/damping.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace platen::dem {
 namespace {
@@ -37,13 +37,8 @@ void check(const Contact& contact) {
     throw InvalidInput(fmt::format("friction {} is not a coefficient of 0 or more", contact.friction));
 }
 
-double damping_of(double restitution) {
-  const double l = std::log(restitution);
-  return 2 * std::sqrt(5.0 / 6) * -l / std::hypot(l, std::numbers::pi);
-}
-
 Laws::Laws(Contact contact_, int index_, const Units& units)
-    : contact(std::move(contact_)), index(index_), damping(damping_of(contact.restitution)),
+    : contact(std::move(contact_)), index(index_), damping(platen_damping_of(contact.restitution)),
       length(units.length) {
   for (const Card& side : {contact.one, contact.on_plane ? contact.one : contact.two}) {
     const fit::LawCard* const card = &*side;

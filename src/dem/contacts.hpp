@@ -41,10 +41,6 @@ struct Contact {
 /// Checks a card for what a DEM code can do with it. Throws core::InvalidInput.
 void check(const Contact&);
 
-/// `damping` for a restitution coefficient: 2 sqrt(5/6) |ln e|/sqrt(ln^2 e + pi^2), which returns e for
-/// Hertz's contact at any velocity (Tsuji, Tanaka & Ishida 1992; Antypov & Elliott 2011).
-double damping_of(double restitution);
-
 /// The laws of two materials. One table serves all radii of the same ratio, t = |R1 - R2|/(R1 + R2), 0 for
 /// equal spheres and 1 against a plane; others take the next of 512, whose force is right to 0.3 %. Each is
 /// made when it is first needed; of unlike bodies they are coarse (law::joined_table).

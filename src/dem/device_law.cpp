@@ -4,6 +4,7 @@
 #include "core/number.hpp"
 #include "core/version.hpp"
 #include "dem/contacts.hpp"
+#include "dem/damping.hpp"
 
 #include <fmt/format.h>
 
@@ -159,7 +160,7 @@ if (overlapDepth > 0) {
   const float3 sliding = velocity - along * B2A;
   const double mass = (double)AOwnerMass * BOwnerMass / ((double)AOwnerMass + BOwnerMass);
 
-  const double normal = law.force > 0 ? law.force - platen_damping * sqrt(law.stiffness * mass) * along : 0.0;
+  const double normal = law.force > 0 ? fmax(law.force - platen_damping * sqrt(law.stiffness * mass) * along, 0.0) : 0.0;
   force += (float)normal * B2A;
 
   // Mindlin: stiffness 8 G* a; when a shrinks the force shrinks with it, and friction limits it
@@ -231,6 +232,11 @@ DeviceLaw device_law(const fit::LawCard& card) {
   fmt::format_to(std::back_inserter(text), "PLATEN_DEVICE const double platen_cells[{}][{}] = {{\n{}}};\n",
                  count, columns, cells);
   text += functions;
+  fmt::format_to(std::back_inserter(text),
+                 "\n/// Of Hertz's contact that returns e, in (0, 1], under max(force - damping "
+                 "sqrt(stiffness m) v, 0).\n"
+                 "PLATEN_DEVICE {}\n",
+                 damping_text);
   return result;
 }
 

@@ -1,4 +1,5 @@
-"""The force model that `platen export dem-engine` writes, compiled for a processor: forces of `platen eval` to 1e-9.
+"""The force model that `platen export dem-engine` writes, compiled for a processor: forces of `platen eval` to 1e-9, and of
+Hertz's contact the restitution that was asked for to 1e-3, without a force that pulls.
 
 text.py PLATEN COMPILER FOLDER
 """
@@ -35,13 +36,17 @@ def evaluated(card, overlaps, *options):
     return [float(row["force_N"]) for row in csv.DictReader(done.stdout.splitlines())]
 
 
+def compiled(card, folder, *options):
+    subprocess.run([platen, "export", "dem-engine", card, *options, "-o", folder], check=True, stdout=subprocess.DEVNULL)
+    subprocess.run([compiler, "-std=c++17", "-O2", "-Wall", "-I", folder, here / "host.cpp", "-o", folder / "host"], check=True)
+
+
 for law, card in cards.items():
     if isinstance(card, str):
         text, card = card, out / f"{law}.toml"
         card.write_text(f'platen = 1\nlaw = "{law}"\n[parameters]\n{text}\n')
     folder = out / law
-    subprocess.run([platen, "export", "dem-engine", card, "-o", folder], check=True, stdout=subprocess.DEVNULL)
-    subprocess.run([compiler, "-std=c++17", "-O2", "-Wall", "-I", folder, here / "host.cpp", "-o", folder / "host"], check=True)
+    compiled(card, folder)
     promised = float(re.search(r"force within ([0-9.e-]+) %", (folder / "functions.cu").read_text()).group(1)) / 100
     for name, R2, options, within in (
         ("equal", R, ["-p", f"radius_m={R!r}"], 1e-9),
@@ -59,3 +64,9 @@ for law, card in cards.items():
         print(f"{law}, {name}: largest force {scale:.4g} N, in double within {exact:.1e} of it, as the engine adds it {as_engine:.1e}")
         if len(rows) != len(overlaps) or not (exact < within and as_engine < within + 1e-6):
             sys.exit(f"{law}, {name}: the forces are not those of platen eval")
+
+compiled(out / "hertz.toml", out / "damped", "--restitution", "0.5")
+e = float(subprocess.run([out / "damped/host", "bounce"], check=True, text=True, stdout=subprocess.PIPE).stdout)
+print(f"restitution {e:.5f}")
+if not abs(e - 0.5) < 0.5e-3:
+    sys.exit("the restitution is not 0.5")

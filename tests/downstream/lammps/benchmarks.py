@@ -90,15 +90,26 @@ def elastic(name, rows, dt, F, t):
     check(f"{name}: duration", sum(f > 0 for f in forces) * dt, t)
 
 
-def slid(name, group, rows, J_n, mu, within=0.01):
-    """Each surface's way along y at the contact, and the impulse mu J_n against it."""
+def lag(V, slip, mu, nu, damping):
+    """What a sliding contact has less than mu J_n, over mu m V. At first touch the viscous force c V ~ u^(1/4) is there before
+    Mindlin's spring is wound: at constant velocities 8 G* sqrt(R) (2/3) u^(3/2) slip/V reaches mu (F + c V) at u, and what lacks
+    until then is (2/5) (mu damping)^2 2 E* m V/(16/3 G* slip/V - 4/3 mu E*)."""
+    G = (1 - nu) / (2 * (2 - nu))  # G*/E*
+    return 0.8 * mu * damping**2 / (16 / 3 * G * slip / V - 4 / 3 * mu)
+
+
+def slid(name, group, rows, J_n, mu, lacks=0.0):
+    """Each surface's way along y at the contact, and the impulse mu J_n against it; of J_n the spring `lacks` a part."""
     sides = (-1,) if len(group) == 1 else (1, -1)  # of the contact, seen from the sphere
     slip = sum(side * (-1 if len(group) == 1 else 1) * (s.v[1] + side * s.R * s.spin) for side, s in zip(sides, group))
-    J = -math.copysign(mu * J_n, slip)  # on the first sphere
+    J = -math.copysign(mu * J_n * (1 - lacks), slip)  # on the first sphere
+    had = abs(rows[-1][0][1] - group[0].v[1]) * group[0].m / (mu * J_n)
+    if not had <= 1.001:  # J_n is that of the velocity to 0.1 %
+        sys.exit(f"{name}: friction had {had!r} of mu J_n")
     for s, side, sign, (_, v_y, spin, _) in zip(group, sides, (1, -1), rows[-1]):
         v_change, spin_change = sign * J / s.m, side * s.R * sign * J / s.I
-        check(f"{name}: along the plane", v_y, s.v[1] + v_change, within, scale=max(abs(s.v[1]), abs(v_change)))
-        check(f"{name}: spin", spin, s.spin + spin_change, within, scale=max(abs(s.spin), abs(spin_change)))
+        check(f"{name}: along the plane", v_y, s.v[1] + v_change, scale=max(abs(s.v[1]), abs(v_change)))
+        check(f"{name}: spin", spin, s.spin + spin_change, scale=max(abs(s.spin), abs(spin_change)))
 
 
 def material(name, E, nu):
@@ -154,7 +165,6 @@ for tangent, s, rows in zip(tangents, spheres, results):
         slid("5, tangential velocities", [s], rows, 2 * 5 * s.m, 0.3)
 
 # 6: a spinning sphere and a plane; 7: two spheres that spin alike; 8: one of five times the radius, a thousandfold density.
-# Of restitution 0.5 the viscous force pulls at the end, which friction does not see: it has more than mu J_n.
 spins = [0.175, 1, 3, 5, 9, 22]
 for name, E, nu, density in (("aluminium-6", 7e10, 0.33, 2700.0), ("nylon", 2.5e9, 0.4, 1000.0)):
     law, flat = material(name, E, nu)
@@ -167,14 +177,14 @@ for name, E, nu, density in (("aluminium-6", 7e10, 0.33, 2700.0), ("nylon", 2.5e
         V = sum(abs(s.v[0]) for s in groups[0])
         R = 1 / sum(1 / s.R for s in groups[0])
         _, t, _ = hertz(V, mass, R, flat / len(groups[0]))
-        for e, within in ((1, 0.01), (0.5, 0.035)):
+        for e, damping in ((1, 0), (0.5, 0.46605)):  # Thornton, Cummins & Cleary, Powder Technology 233 (2013) 30, Table 2
             results, _ = impacts(f"{case[0]}-{name}-{e}", law, f"damping {e} friction 0.4", groups, t, passes=3)
             for spin, group, rows in zip(spins, groups, results):
                 J_n = (1 + e) * V * mass
                 check(f"{case}, e = {e}: normal velocity", rows[-1][0][0] - group[0].v[0],
                       math.copysign(J_n / group[0].m, -group[0].v[0]))
                 if 0.1 * spin > 3.5 * 0.4 * (1 + e) * 0.2:  # slides throughout
-                    slid(f"{case}, e = {e}", group, rows, J_n, 0.4, within)
+                    slid(f"{case}, e = {e}", group, rows, J_n, 0.4, lag(0.2, 0.1 * spin, 0.4, nu, damping) / (1 + e))
 
 # sizes 1:50
 law, flat = material("ratio", 7e10, 0.33)
