@@ -1,10 +1,11 @@
 // What a contact costs: 10^6 contacts, one thread, state read and written, branches at random. Each contact
 // takes eight steps of a random walk with a rising trend; a pass over all contacts is one step, so that no
-// branch and no state can be guessed from the one before. Printed: ns per contact, and the share of contacts
-// that load.
+// branch and no state can be guessed from the one before. In batches (batch.hpp), as a DEM code does it, and
+// one by one. Printed: ns per contact, and the share of contacts that load.
 
 #include "law_cases.hpp"
 
+#include "platen/law/batch.hpp"
 #include "platen/law/catalogue.hpp"
 
 #include <benchmark/benchmark.h>
@@ -32,27 +33,45 @@ std::vector<std::vector<double>> random_walks(double low, double high) {
   return overlap;
 }
 
-enum class What { force, everything };
+template <Want want> double read(const Response& now) {
+  if constexpr (want == Want::force) return now.force;
+  return now.force + now.contact_radius + now.mean_pressure + now.dissipated_work +
+         (now.in_range ? now.stiffness : 0.0);
+}
 
-void pass(const Law& law, const std::vector<double>& overlap, std::vector<State>& state,
-          std::vector<double>& force, What what) {
-  if (what == What::force) {
-    for (std::size_t i = 0; i < contacts; ++i) {
-      const Response now = evaluate(law, state[i], overlap[i]);
-      state[i] = now.state;
-      force[i] = now.force;
-    }
-    return;
-  }
+template <Want want>
+void one_by_one(const Law& law, const std::vector<double>& overlap, std::vector<State>& state,
+                std::vector<double>& read_out) {
   for (std::size_t i = 0; i < contacts; ++i) {
     const Response now = evaluate(law, state[i], overlap[i]);
     state[i] = now.state;
-    force[i] = now.force + now.contact_radius + now.mean_pressure + now.dissipated_work +
-               (now.in_range ? now.stiffness : 0.0);
+    read_out[i] = read<want>(now);
   }
 }
 
-void run(benchmark::State& bench, const Law& law, double x_low, double x_high, What what) {
+template <Want want>
+void in_batches(const Law& law, const std::vector<double>& overlap, std::vector<State>& state,
+                std::vector<double>& read_out) {
+  static Batch b;
+  for (int c = 0; c < Batch::size; ++c) b.law(c, *law.table, law.scale);
+  for (std::size_t first = 0; first < contacts; first += Batch::size) {
+    const std::size_t count = std::min<std::size_t>(Batch::size, contacts - first);
+    for (std::size_t c = 0; c < count; ++c)
+      b.overlap[c] = overlap[first + c], b.gamma_max[c] = state[first + c].gamma_max;
+    evaluate<want>(b, static_cast<int>(count));
+    for (std::size_t c = 0; c < count; ++c) {
+      state[first + c] = {overlap[first + c], b.gamma_max[c]};
+      read_out[first + c] = b.force[c];
+      if constexpr (want == Want::everything)
+        read_out[first + c] += b.contact_radius[c] + b.mean_pressure[c] + b.dissipated_work[c] +
+                               (b.in_range[c] ? b.stiffness[c] : 0.0);
+    }
+  }
+}
+
+using Pass = decltype(one_by_one<Want::force>);
+
+void run(benchmark::State& bench, const Law& law, double x_low, double x_high, Pass* pass) {
   const auto overlap = random_walks(x_low / law.scale.x_per_gamma, x_high / law.scale.x_per_gamma);
   std::vector<State> state(contacts);
   std::vector<double> force(contacts);
@@ -67,7 +86,7 @@ void run(benchmark::State& bench, const Law& law, double x_low, double x_high, W
     bench.PauseTiming();
     std::fill(state.begin(), state.end(), State{});
     bench.ResumeTiming();
-    for (std::size_t t = 0; t < steps; ++t) pass(law, overlap[t], state, force, what);
+    for (std::size_t t = 0; t < steps; ++t) pass(law, overlap[t], state, force);
     benchmark::DoNotOptimize(force.data());
     benchmark::ClobberMemory();
     passes += steps;
@@ -78,10 +97,14 @@ void run(benchmark::State& bench, const Law& law, double x_low, double x_high, W
 }
 
 void all_forms(const std::string& name, const Law& law, double x_low, double x_high) {
-  for (auto [what, suffix] : {std::pair{What::force, "/force"}, std::pair{What::everything, "/everything"}})
+  const std::pair<Pass*, std::string> forms[] = {{in_batches<Want::force>, "/force"},
+                                                 {in_batches<Want::everything>, "/everything"},
+                                                 {one_by_one<Want::force>, "/one by one/force"},
+                                                 {one_by_one<Want::everything>, "/one by one/everything"}};
+  for (const auto& [pass, suffix] : forms)
     benchmark::RegisterBenchmark(
         (name + suffix).c_str(),
-        [law, x_low, x_high, what = what](benchmark::State& s) { run(s, law, x_low, x_high, what); })
+        [law, x_low, x_high, pass = pass](benchmark::State& s) { run(s, law, x_low, x_high, pass); })
         ->Unit(benchmark::kMillisecond)
         ->MinTime(0.5);
 }

@@ -4,6 +4,8 @@
 #include "host.hpp"
 #include "lammps_input.hpp"
 
+#include "platen/law/batch.hpp"
+
 #include "atom.h"
 #include "comm.h"
 #include "force.h"
@@ -241,13 +243,13 @@ void PairPlaten::compute(int eflag, int vflag) {
 /// Touching pairs in blocks, which take three turns: who touches, the law, what follows of its force. Each
 /// turn is short enough for the processor to work on several contacts at once.
 struct PairPlaten::Block {
-  static constexpr int size = 64;
+  static constexpr int size = law::Batch::size;
   int count = 0;
   int i[size], j[size];
   dem::Memory* memory[size];
   dem::Laws* laws[size];
-  double r[size], reach[size], d[size][3];  // distance, sum of radii, x_i - x_j
-  double F[size], stiffness[size], a[size]; // of the law; F in units of the run
+  double r[size], reach[size], d[size][3]; // distance, sum of radii, x_i - x_j
+  law::Batch law;
 };
 
 PLATEN_CLONES void PairPlaten::contacts() {
@@ -289,28 +291,28 @@ PLATEN_HOT dem::Laws::At PairPlaten::at(dem::Laws& laws, int i, int j) const {
 }
 
 PLATEN_HOT void PairPlaten::laws_of(Block& block) {
-  const double length = units_.length, per_force = 1 / units_.force;
-  for (int c = 0; c < block.count; c++) {
-    dem::Memory& m = *block.memory[c];
-    dem::Laws& laws = *block.laws[c];
-    dem::Laws::At here;
-    try {
-      here = at(laws, block.i[c], block.j[c]);
-    } catch (...) { // none leaves a function that was cloned: GCC 12 ends the program there
-      failure_ = std::current_exception();
-      block.count = 0;
-      return;
+  law::Batch& b = block.law;
+  try {
+    for (int c = 0; c < block.count; c++) {
+      const dem::Laws::At here = at(*block.laws[c], block.i[c], block.j[c]);
+      b.law(c, *here.table, here.scale);
+      b.overlap[c] = (block.reach[c] - block.r[c]) * units_.length;
+      b.gamma_max[c] = block.memory[c]->gamma_max;
     }
-    const double before = m.gamma_max;
-    const law::Response now = dem::respond(here, before, (block.reach[c] - block.r[c]) * length);
-    m.gamma_max = now.state.gamma_max;
-    const double x = m.gamma_max * here.scale.x_per_gamma;
-    if (before < m.gamma_max && !laws.valid(*here.table, x) &&
-        laws.valid(*here.table, before * here.scale.x_per_gamma)) [[unlikely]]
+  } catch (...) { // none leaves a function that was cloned: GCC 12 ends the program there
+    failure_ = std::current_exception();
+    block.count = 0;
+    return;
+  }
+  if (any_friction_ || any_damping_) law::evaluate<law::Want::contact>(b, block.count);
+  else law::evaluate<law::Want::force>(b, block.count);
+  for (int c = 0; c < block.count; c++) {
+    double& gamma_max = block.memory[c]->gamma_max;
+    const dem::Laws& laws = *block.laws[c];
+    const auto valid = [&](double gamma) { return laws.valid(*b.table[c], gamma * b.x_per_gamma[c]); };
+    if (gamma_max < b.gamma_max[c] && !valid(b.gamma_max[c]) && valid(gamma_max)) [[unlikely]]
       beyond(laws.index, block.j[c]);
-    block.F[c] = now.force * per_force;
-    block.stiffness[c] = now.stiffness;
-    block.a[c] = now.contact_radius;
+    gamma_max = b.gamma_max[c];
   }
 }
 
@@ -319,6 +321,7 @@ template <bool friction, bool damping> PLATEN_HOT void PairPlaten::forces(const 
   const double *radius = atom->radius, *rmass = atom->rmass;
   const int *mask = atom->mask, nlocal = atom->nlocal;
   const dem::Units u = units_;
+  const double per_force = 1 / u.force;
   const double dt =
       update->setupflag ? 0.0 : update->dt; // setup moves nothing, and a restart gives the same bits
   for (int c = 0; c < block.count; c++) {
@@ -326,7 +329,7 @@ template <bool friction, bool damping> PLATEN_HOT void PairPlaten::forces(const 
     const dem::Laws& laws = *block.laws[c];
     const double rinv = 1 / block.r[c];
     const double n[3] = {block.d[c][0] * rinv, block.d[c][1] * rinv, block.d[c][2] * rinv};
-    double F = block.F[c];
+    double F = block.law.force[c] * per_force;
     double w[3], v_n = 0;
     if constexpr (friction || damping) {
       for (int k = 0; k < 3; k++) w[k] = v[i][k] - v[j][k];
@@ -336,7 +339,7 @@ template <bool friction, bool damping> PLATEN_HOT void PairPlaten::forces(const 
       double mass = rmass[i] * rmass[j] / (rmass[i] + rmass[j]);
       if (mask[i] & freeze_) mass = rmass[j];
       if (mask[j] & freeze_) mass = rmass[i];
-      F = dem::damped(laws.damping, u, block.stiffness[c], F, mass, v_n);
+      F = dem::damped(laws.damping, u, block.law.stiffness[c], F, mass, v_n);
     }
     double push[3] = {F * n[0], F * n[1], F * n[2]};
     if constexpr (friction) {
@@ -347,7 +350,9 @@ template <bool friction, bool damping> PLATEN_HOT void PairPlaten::forces(const 
       w[0] -= v_n * n[0] + n[2] * wr[1] - n[1] * wr[2];
       w[1] -= v_n * n[1] + n[0] * wr[2] - n[2] * wr[0];
       w[2] -= v_n * n[2] + n[1] * wr[0] - n[0] * wr[1];
-      if (dt > 0) dem::slide(laws.shear, laws.contact.friction, block.a[c], F, n, w, dt, *block.memory[c]);
+      if (dt > 0)
+        dem::slide(laws.shear, laws.contact.friction, block.law.contact_radius[c], F, n, w, dt,
+                   *block.memory[c]);
       const double* s = block.memory[c]->tangential;
       const double turn[3] = {n[1] * s[2] - n[2] * s[1], n[2] * s[0] - n[0] * s[2],
                               n[0] * s[1] - n[1] * s[0]};

@@ -62,7 +62,7 @@ class Laws {
     return between(R1, R2);
   }
   /// Whether both cards hold at a largest overlap x of the table.
-  [[nodiscard]] PLATEN_HOT bool valid(const law::Table& table, double x) const {
+  [[nodiscard]] PLATEN_HOT bool valid(const law::TableView& table, double x) const {
     return x <= x_valid && table.in_range(x);
   }
 

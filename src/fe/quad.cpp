@@ -1,6 +1,6 @@
 #include "fe/quad.hpp"
 
-#include "core/lanes.hpp"
+#include "platen/lanes.hpp"
 #include "core/vector_clones.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 // Vectors, and symmetric tensors in space and in a plane.
 
-#include "core/lanes.hpp"
+#include "platen/lanes.hpp"
 
 #include <array>
 #include <cmath>
@@ -87,7 +87,7 @@ inline Symmetric3 compose(const std::array<double, 3>& value, const std::array<V
 }
 
 /// Eigenvalues of a symmetric tensor in a plane, the larger one first, and the direction of its axis. T: a
-/// number, or several (core/lanes.hpp).
+/// number, or several (platen/lanes.hpp).
 template <class T> struct PlaneSpectralOf {
   T value_1, value_2;
   T cos, sin;

@@ -15,7 +15,7 @@
 //   struct Surface { SurfacePoint at(double s) const; ... };    surface at one phi, with derivatives in phi
 //   model.moduli(phi), model.surface(phi), Model::phi_rate      see the concepts below
 
-#include "core/lanes.hpp"
+#include "platen/lanes.hpp"
 
 #include <array>
 #include <concepts>

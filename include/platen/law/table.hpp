@@ -82,17 +82,27 @@ struct TableView {
     return ((valid[0][0] <= x) & (x <= valid[0][1])) | ((valid[1][0] <= x) & (x <= valid[1][1]));
   }
 
+  /// Of x from x_first to x_limit, from its bits. Most slots have one cell or two: the second is not guessed.
+  [[nodiscard]] PLATEN_HOT const Cell* cell(double x) const {
+    const auto bits_of_x = std::bit_cast<std::int64_t>(x);
+    std::int64_t k = (bits_of_x >> (52 - bits)) - base;
+    k = k < slots ? k : slots - 1;
+    k = k < 0 ? 0 : k;
+    std::uint64_t at = slot[k];
+    at += static_cast<std::uint64_t>(std::bit_cast<std::int64_t>(cells[at].end) - bits_of_x - 1) >>
+          63; // end <= x
+    const Cell* c = cells + at;
+    while (c->end <= x) ++c;
+    return c;
+  }
+
   [[nodiscard]] PLATEN_HOT Top top(double x) const { return x < x_first ? start(x) : in_cells(x); }
 
   /// The cell is found from the bits of x, while the root is still on its way, and one division serves both
   /// quotients: a contact waits for little else.
   [[nodiscard]] PLATEN_HOT Top in_cells(double x) const {
     const double v = std::sqrt(x);
-    std::int64_t k = (std::bit_cast<std::int64_t>(x) >> (52 - bits)) - base;
-    k = k < slots ? k : slots - 1;
-    k = k < 0 ? 0 : k;
-    const Cell* c = cells + slot[k];
-    while (c->end <= x) ++c;
+    const Cell* c = cell(x);
     const double t = v - c->left, a = c->a.value(t);
     const double area = std::numbers::pi * a * a, twice_v = 2 * v, per_both = 1 / (area * twice_v);
     return {c->F.value(t),     c->F.slope(t) * (per_both * area), a,

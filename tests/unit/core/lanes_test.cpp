@@ -1,7 +1,7 @@
 // Functions of several numbers at a time against those of one.
 
 #include "core/float_traps.hpp"
-#include "core/lanes.hpp"
+#include "platen/lanes.hpp"
 
 #include <gtest/gtest.h>
 

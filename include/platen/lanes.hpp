@@ -67,7 +67,9 @@ namespace detail {
 inline constexpr double ln_2_high = 0x1.62e42fefap-1, ln_2_low = 0x1.cf79abc9e3b39p-40;
 using EightBits = std::uint64_t __attribute__((vector_size(64)));
 using FourBits = std::uint64_t __attribute__((vector_size(32)));
-template <Vector V> using Bits = std::conditional_t<std::is_same_v<V, Lanes>, EightBits, FourBits>;
+template <class T>
+using Bits = std::conditional_t<std::is_same_v<T, Lanes>, EightBits,
+                                std::conditional_t<std::is_same_v<T, Four>, FourBits, std::uint64_t>>;
 
 /// Taylor's sum to the 13th power, even and odd ones apart: |r| <= ln(2)/2 leaves 4e-18 over.
 template <class T> PLATEN_LANES T exp_near_0(const T& r) {
@@ -83,36 +85,43 @@ template <class T> PLATEN_LANES T exp_near_0(const T& r) {
                   r2 * (1 / 5040.0 + r2 * (1 / 362880.0 + r2 * (1 / 39916800.0 + r2 * (1 / 6227020800.0))))));
   return even + r * odd;
 }
+
+/// Of x within 708.
+template <class T> PLATEN_LANES T exp_within(const T& x) {
+  constexpr double per_ln_2 = 1.44269504088896340736;
+  constexpr double shift = 0x1.8p52; // a whole number added to it stands in its last bits
+  const T shifted = x * per_ln_2 + shift, n = shifted - shift;
+  const T r = x - n * ln_2_high - n * ln_2_low;
+  return std::bit_cast<T>(
+      Bits<T>(std::bit_cast<Bits<T>>(T(exp_near_0(r))) + (std::bit_cast<Bits<T>>(shifted) << 52)));
+}
+
+/// Of positive, normal, finite x.
+template <class T> PLATEN_LANES T log_of_normal(const T& x) {
+  // x = m 2^n, m from sqrt(1/2) to sqrt(2). The exponent is moved to a positive number, and n read out of the
+  // last bits of a double.
+  constexpr std::uint64_t root = 0x3fe6a09e667f3bcd, one = std::uint64_t{1} << 52, moved = 2048;
+  const Bits<T> n_bits = ((std::bit_cast<Bits<T>>(x) - root + moved * one) >> 52) & 0xfff;
+  const T m = std::bit_cast<T>(Bits<T>(std::bit_cast<Bits<T>>(x) - ((n_bits - moved) << 52)));
+  const T n = std::bit_cast<T>(Bits<T>(n_bits | 0x4330000000000000)) - (0x1p52 + static_cast<double>(moved));
+  // log(m) = 2 artanh(s), |s| <= 0.172: eleven terms leave 1e-18 over.
+  const T s = (m - 1) / (m + 1), s2 = s * s, s4 = s2 * s2;
+  const T even = 1 + s4 * (1 / 5.0 + s4 * (1 / 9.0 + s4 * (1 / 13.0 + s4 * (1 / 17.0 + s4 * (1 / 21.0)))));
+  const T odd = 1 / 3.0 + s4 * (1 / 7.0 + s4 * (1 / 11.0 + s4 * (1 / 15.0 + s4 * (1 / 19.0))));
+  return n * ln_2_high + (n * ln_2_low + 2 * s * (even + s2 * odd));
+}
 } // namespace detail
 
 /// To a relative 5e-16; of x within 708, beyond that the value there.
 template <Vector V> PLATEN_LANES V exp(const V& x) {
-  constexpr double per_ln_2 = 1.44269504088896340736;
-  constexpr double shift = 0x1.8p52; // a whole number added to it stands in its last bits
   const V bounded = x > 708 ? V{} + 708 : x < -708 ? V{} - 708 : x;
-  const V shifted = bounded * per_ln_2 + shift, n = shifted - shift;
-  const V r = bounded - n * detail::ln_2_high - n * detail::ln_2_low;
-  using Bits = detail::Bits<V>;
-  const Bits bits = std::bit_cast<Bits>(V(detail::exp_near_0(r))) + (std::bit_cast<Bits>(shifted) << 52);
-  return x == x ? std::bit_cast<V>(bits) : x;
+  return x == x ? detail::exp_within(bounded) : x;
 }
 
 /// To a relative 7e-16, of positive, normal, finite numbers; NaN else.
 template <Vector V> PLATEN_LANES V log(const V& x) {
-  using Bits = detail::Bits<V>;
-  // x = m 2^n, m from sqrt(1/2) to sqrt(2). The exponent is moved to a positive number, and n read out of the
-  // last bits of a double.
-  constexpr std::uint64_t root = 0x3fe6a09e667f3bcd, one = std::uint64_t{1} << 52, moved = 2048;
-  const Bits n_bits = ((std::bit_cast<Bits>(x) - root + moved * one) >> 52) & 0xfff;
-  const V m = std::bit_cast<V>(Bits(std::bit_cast<Bits>(x) - ((n_bits - moved) << 52)));
-  const V n = std::bit_cast<V>(Bits(n_bits | 0x4330000000000000)) - (0x1p52 + static_cast<double>(moved));
-  // log(m) = 2 artanh(s), |s| <= 0.172: eleven terms leave 1e-18 over.
-  const V s = (m - 1) / (m + 1), s2 = s * s, s4 = s2 * s2;
-  const V even = 1 + s4 * (1 / 5.0 + s4 * (1 / 9.0 + s4 * (1 / 13.0 + s4 * (1 / 17.0 + s4 * (1 / 21.0)))));
-  const V odd = 1 / 3.0 + s4 * (1 / 7.0 + s4 * (1 / 11.0 + s4 * (1 / 15.0 + s4 * (1 / 19.0))));
-  const V y = n * detail::ln_2_high + (n * detail::ln_2_low + 2 * s * (even + s2 * odd));
   using Limits = std::numeric_limits<double>;
-  return both(x >= Limits::min(), x <= Limits::max()) ? y : V{} + Limits::quiet_NaN();
+  return both(x >= Limits::min(), x <= Limits::max()) ? detail::log_of_normal(x) : V{} + Limits::quiet_NaN();
 }
 
 #undef PLATEN_LANES

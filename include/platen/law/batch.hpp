@@ -1,0 +1,300 @@
+#pragma once
+// Many contacts at once, as a DEM code has them: the numbers of `evaluate` (table.hpp) but for rounding, in
+// two thirds of the time (bench/law_bench.cpp). A contact alone waits for its root, its quotients and its
+// power, and for a wrong guess whether it loads; here the processor takes eight or four together, and guesses
+// nothing.
+//
+//   Batch b;
+//   for (int c = 0; c < count; ++c) b.law(c, table, scale), b.overlap[c] = ..., b.gamma_max[c] = ...;
+//   evaluate<Want::contact>(b, count);
+//
+// For GCC and Clang on x86-64; elsewhere one by one. Make it with -fno-math-errno, or roots are taken one by
+// one.
+
+#include "platen/lanes.hpp"
+#include "platen/law/table.hpp"
+
+#include <cstdint>
+#include <utility>
+
+#if defined(__x86_64__) && defined(__GNUC__) && (!defined(__clang__) || 18 <= __clang_major__) &&            \
+    !defined(PLATEN_PLAIN)
+#define PLATEN_BATCH_VECTORS
+#endif
+
+namespace platen::law {
+
+/// What a host reads of a contact.
+enum class Want {
+  force,
+  contact,   ///< stiffness and contact radius too
+  everything ///< mean pressure, lost work and validity too
+};
+
+/// Up to 64 contacts; each may have a law of its own.
+struct Batch {
+  static constexpr int size = 64;
+  using Numbers = double[size];
+
+  // in
+  const TableView* table[size] = {};
+  alignas(64) Numbers R_e = {}, x_per_gamma = {}, force_scale = {}, pressure_scale = {}; ///< of its Scale
+  alignas(64) Numbers overlap = {};                                                      ///< [m]
+  alignas(64) Numbers gamma_max = {}; ///< largest overlap so far [m]; out: with this one
+  // out, in SI
+  alignas(64) Numbers force = {}, stiffness = {}, contact_radius = {};
+  alignas(64) Numbers mean_pressure = {}, dissipated_work = {};
+  bool in_range[size] = {};
+
+  PLATEN_HOT void law(int c, const TableView& t, const Scale& s) {
+    table[c] = &t;
+    R_e[c] = s.R_e, x_per_gamma[c] = s.x_per_gamma, force_scale[c] = s.force, pressure_scale[c] = s.pressure;
+  }
+  /// The first contact once more: what is full needs no questions.
+  void repeat(int c) {
+    table[c] = table[0], x_per_gamma[c] = x_per_gamma[0], force_scale[c] = 0;
+    overlap[c] = overlap[0], gamma_max[c] = gamma_max[0];
+  }
+};
+
+namespace detail {
+
+/// Where the loading curve is left, and what the tables say there.
+struct Tops {
+  using Numbers = Batch::Numbers;
+  alignas(64) Numbers x, x_top, v, F, slope, a, w, alpha, lost;
+  int one_by_one[Batch::size], own[Batch::size]; ///< contacts; the latter unload by a shape of their own
+  int one_by_one_count = 0, own_count = 0;
+  bool powers = false; ///< some alpha is not 3/2
+
+  void none(int c) {
+    x[c] = F[c] = slope[c] = lost[c] = 0, alpha[c] = 1.5;
+    x_top[c] = v[c] = w[c] = a[c] = 1;
+  }
+};
+
+/// Overlaps in the measure of the tables.
+template <Want want, bool alike> PLATEN_HOT void place(Batch& b, int count, Tops& tops) {
+  const double elastic = b.table[0]->x_elastic, first = b.table[0]->x_first;
+  std::int64_t usual = 0;
+#pragma GCC ivdep
+  for (int c = 0; c < Batch::size; ++c) {
+    const double before = b.gamma_max[c], x = b.overlap[c] * b.x_per_gamma[c];
+    const double x_max = larger(x, before * b.x_per_gamma[c]);
+    const double x_top = pick(x_max <= (alike ? elastic : b.table[c]->x_elastic), x, x_max);
+    const bool good =
+        ((alike ? first : b.table[c]->x_first) < x_top) & (x_top <= TableView::x_limit) & (0 <= before);
+    tops.x[c] = x, tops.x_top[c] = pick(good, x_top, -1);
+    usual += good;
+  }
+  tops.one_by_one_count = 0;
+  if (usual < Batch::size) [[unlikely]]
+    for (int c = 0; c < Batch::size; ++c)
+      if (c < count && tops.x_top[c] < 0) tops.one_by_one[tops.one_by_one_count++] = c;
+  for (int c = 0; c < Batch::size; ++c) tops.v[c] = std::sqrt(larger(tops.x_top[c], 0.0));
+  if constexpr (alike && want == Want::everything) {
+    const TableView t = *b.table[0];
+    for (int c = 0; c < Batch::size; ++c)
+      b.in_range[c] = t.in_range(larger(tops.x[c], b.gamma_max[c] * b.x_per_gamma[c]));
+  }
+}
+
+/// Contact by contact, since each has a cell of its own.
+template <Want want, bool alike> PLATEN_HOT void look_up(Batch& b, int count, Tops& tops) {
+  const TableView first = *b.table[0]; // a copy, which no number that is stored can change
+  bool powers = false;
+  int own_count = 0;
+  for (int c = 0; c < count; ++c) {
+    const TableView& t = alike ? first : *b.table[c];
+    const double x = tops.x[c], x_top = tops.x_top[c];
+    if (x_top < 0) [[unlikely]] {
+      tops.none(c);
+      continue;
+    }
+    const Cell* cell = t.cell(x_top);
+    const double s = tops.v[c] - cell->left;
+    tops.F[c] = cell->F.value(s), tops.w[c] = cell->w.value(s);
+    tops.alpha[c] = cell->alpha + s * cell->alpha_slope;
+    powers |= !t.all_three_halves;
+    tops.own[own_count] = c;
+    own_count += static_cast<int>(t.shape != Shape::power) & static_cast<int>(x < x_top);
+    if constexpr (want != Want::force) {
+      tops.slope[c] = cell->F.slope(s);
+      tops.a[c] = cell->a.value(s);
+    }
+    if constexpr (want == Want::everything) {
+      tops.lost[c] = cell->lost.value(s);
+      if constexpr (!alike) b.in_range[c] = t.in_range(larger(x, b.gamma_max[c] * b.x_per_gamma[c]));
+      if (x_top < tops.w[c] * (1 - 1e-9)) [[unlikely]] { // some published curves: force at the parting
+        tops.one_by_one[tops.one_by_one_count++] = c;
+        continue;
+      }
+    }
+    b.gamma_max[c] = larger(b.overlap[c], b.gamma_max[c]);
+  }
+  tops.powers = powers, tops.own_count = own_count;
+}
+
+/// By a power law. The compiler takes as many contacts at once as a vector of the processor has numbers.
+template <Want want, bool powers> PLATEN_HOT void unload(Batch& b, const Tops& tops) {
+#pragma GCC ivdep
+  for (int c = 0; c < Batch::size; ++c) {
+    const double x = tops.x[c], x_top = tops.x_top[c], F = tops.F[c], alpha = tops.alpha[c];
+    const double rate = 1 / tops.w[c], xi = 1 - (x_top - x) * rate;
+    const bool touching = (0 < xi) & (0 < x);
+    const double base = pick(touching, xi, 0);
+    double radius;
+    if constexpr (powers) {
+      const double y = (alpha - 1) * core::detail::log_of_normal(pick(touching, xi, 1));
+      radius = pick(touching, core::detail::exp_within(pick(y < -700, -700, y)), 0);
+    } else radius = std::sqrt(base);
+    b.force[c] = b.force_scale[c] * F * base * radius;
+    if constexpr (want != Want::force) {
+      const double loading = tops.slope[c] / (2 * tops.v[c]), below = F * alpha * radius * rate;
+      b.stiffness[c] = b.force_scale[c] * b.x_per_gamma[c] * pick(x < x_top, below, loading);
+      b.contact_radius[c] = b.R_e[c] * tops.a[c] * radius;
+    }
+    if constexpr (want == Want::everything) {
+      const double pressure = powers ? base / pick(touching, radius, 1) : radius;
+      b.mean_pressure[c] = b.pressure_scale[c] * F * pressure / (std::numbers::pi * tops.a[c] * tops.a[c]);
+      b.dissipated_work[c] = b.force_scale[c] / b.x_per_gamma[c] * tops.lost[c];
+    }
+  }
+}
+
+/// (acos(1 - xi) - (1 - xi) sqrt(2 xi - xi^2))/xi^(3/2) as its series, for xi in [0, 1]: to 1e-15.
+struct SegmentSeries {
+  static constexpr int count = 44;
+  double of[count] = {};
+  constexpr SegmentSeries() {
+    double term = 2 * std::numbers::sqrt2; // of the root of 8 (1 - xi/2), which is integrated
+    for (int k = 0; k < count; term *= (k - 0.5) / (2.0 * (k + 1)), ++k) of[k] = term / (k + 1.5);
+  }
+};
+inline constexpr SegmentSeries segment;
+
+/// Every second term from `first` on; written out, or the loop around it is not taken several at once.
+template <std::size_t... k> PLATEN_HOT double every_second(int first, double xi2, std::index_sequence<k...>) {
+  double sum = 0;
+  ((sum = sum * xi2 + segment.of[SegmentSeries::count - 2 - 2 * static_cast<int>(k) + first]), ...);
+  return sum;
+}
+
+/// Contacts that unload by a shape of their own, in the order of Tops::own, and what `own_shape` has of them.
+struct Own {
+  alignas(64) Batch::Numbers xi, x, u, rate, n, lambda, force, slope, radius;
+};
+
+PLATEN_HOT void unload_indenters(Own& own, int count) {
+  constexpr auto half = std::make_index_sequence<SegmentSeries::count / 2>{};
+#pragma GCC ivdep
+  for (int k = 0; k < count; ++k) {
+    const bool touching = (0 < own.xi[k]) & (0 < own.x[k]);
+    const double xi = pick(touching, own.xi[k], 0), xi2 = xi * xi, root = std::sqrt(xi * (2 - xi));
+    own.force[k] = 2 / std::numbers::pi * xi * std::sqrt(xi) *
+                   (every_second(0, xi2, half) + xi * every_second(1, xi2, half));
+    own.slope[k] = 4 / std::numbers::pi * root * own.rate[k];
+    own.radius[k] = root;
+  }
+}
+
+PLATEN_HOT void unload_differences(Own& own, int count) {
+#pragma GCC ivdep
+  for (int k = 0; k < count; ++k) {
+    const bool touching = (0 < own.xi[k]) & (0 < own.x[k]);
+    const double u = pick(touching, own.u[k], 1), n = own.n[k], rest = 1 - own.lambda[k];
+    const double y = n * core::detail::log_of_normal(u),
+                 p = core::detail::exp_within(pick(y < -700, -700, y));
+    own.force[k] = pick(touching & (own.lambda[k] < p), (p - own.lambda[k]) / rest, 0);
+    own.slope[k] = pick(touching, n * p / (rest * pick(touching, own.x[k], 1)), 0);
+    own.radius[k] = pick(touching, std::sqrt(u), 0);
+  }
+}
+
+template <Want want> PLATEN_HOT void unload_own(Batch& b, const Tops& tops, Shape shape) {
+  Own own;
+  int at[Batch::size], count = 0;
+  for (int k = 0; k < tops.own_count; ++k) {
+    const int c = tops.own[k];
+    const TableView& t = *b.table[c];
+    own.x[count] = tops.x[c], own.rate[count] = 1 / tops.w[c], own.u[count] = tops.x[c] / tops.x_top[c];
+    own.xi[count] = 1 - (tops.x_top[c] - tops.x[c]) * own.rate[count];
+    own.n[count] = t.n, own.lambda[count] = t.lambda_p;
+    at[count] = c;
+    count += t.shape == shape;
+  }
+  if (count == 0) return;
+  const int whole = (count + 7) / 8 * 8;
+  for (int k = count; k < whole; ++k)
+    own.xi[k] = own.x[k] = 0, own.u[k] = own.n[k] = 1, own.lambda[k] = 0, own.rate[k] = 0;
+  if (shape == Shape::indenter) unload_indenters(own, whole);
+  else unload_differences(own, whole);
+  for (int k = 0; k < count; ++k) {
+    const int c = at[k];
+    const double F = tops.F[c] * b.force_scale[c];
+    b.force[c] = F * own.force[k];
+    if constexpr (want != Want::force) {
+      b.stiffness[c] = F * b.x_per_gamma[c] * own.slope[k];
+      b.contact_radius[c] = b.R_e[c] * tops.a[c] * own.radius[k];
+    }
+    if constexpr (want == Want::everything)
+      b.mean_pressure[c] = mean_pressure(b.force[c], b.contact_radius[c]);
+  }
+}
+
+template <Want want> PLATEN_RARE void one_by_one(Batch& b, int c) {
+  const double per = b.x_per_gamma[c], force = b.force_scale[c];
+  const Scale s{b.R_e[c], per, force, force / per, b.pressure_scale[c]};
+  const Response now = evaluate(*b.table[c], s, State{0, b.gamma_max[c]}, b.overlap[c]);
+  b.gamma_max[c] = now.state.gamma_max, b.force[c] = now.force;
+  b.stiffness[c] = now.stiffness, b.contact_radius[c] = now.contact_radius;
+  b.mean_pressure[c] = now.mean_pressure, b.dissipated_work[c] = now.dissipated_work;
+  b.in_range[c] = now.in_range;
+}
+
+template <Want want> PLATEN_HOT void evaluate_together(Batch& b, int count) {
+  if (count < 1) return;
+  Tops tops;
+  for (int c = count; c < Batch::size; ++c) tops.none(c), b.repeat(c);
+  std::uintptr_t unlike = 0;
+  for (int c = 0; c < Batch::size; ++c)
+    unlike |= std::bit_cast<std::uintptr_t>(b.table[c]) ^ std::bit_cast<std::uintptr_t>(b.table[0]);
+  if (unlike == 0) place<want, true>(b, count, tops), look_up<want, true>(b, count, tops);
+  else place<want, false>(b, count, tops), look_up<want, false>(b, count, tops);
+  if (tops.powers) unload<want, true>(b, tops);
+  else unload<want, false>(b, tops);
+  if (0 < tops.own_count)
+    for (const Shape shape : {Shape::indenter, Shape::difference})
+      if (unlike != 0 || b.table[0]->shape == shape) unload_own<want>(b, tops, shape);
+  for (int k = 0; k < tops.one_by_one_count; ++k) one_by_one<want>(b, tops.one_by_one[k]);
+}
+
+#ifdef PLATEN_BATCH_VECTORS
+template <Want want>
+[[gnu::target("arch=x86-64-v4,prefer-vector-width=512")]] void evaluate_by_eight(Batch& b, int count) {
+  evaluate_together<want>(b, count);
+}
+template <Want want> [[gnu::target("arch=x86-64-v3")]] void evaluate_by_four(Batch& b, int count) {
+  evaluate_together<want>(b, count);
+}
+#endif
+template <Want want> void evaluate_in_turn(Batch& b, int count) {
+  for (int c = 0; c < count; ++c) one_by_one<want>(b, c);
+}
+
+} // namespace detail
+
+/// The contacts 0 to count - 1, as `evaluate` of table.hpp has them. What is not wanted is left undefined.
+template <Want want = Want::everything> void evaluate(Batch& b, int count) {
+#ifdef PLATEN_BATCH_VECTORS
+  static void (*const best)(Batch&, int) =
+      __builtin_cpu_supports("x86-64-v4")   ? detail::evaluate_by_eight<want>
+      : __builtin_cpu_supports("x86-64-v3") ? detail::evaluate_by_four<want>
+                                            : detail::evaluate_in_turn<want>;
+  best(b, count);
+#else
+  detail::evaluate_in_turn<want>(b, count);
+#endif
+}
+
+} // namespace platen::law
