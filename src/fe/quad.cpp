@@ -1,7 +1,7 @@
 #include "fe/quad.hpp"
 
-#include "platen/lanes.hpp"
 #include "core/vector_clones.hpp"
+#include "platen/lanes.hpp"
 
 #include <algorithm>
 #include <cmath>

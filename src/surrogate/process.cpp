@@ -1,7 +1,7 @@
 #include "surrogate/process.hpp"
 
-#include "platen/lanes.hpp"
 #include "core/vector_clones.hpp"
+#include "platen/lanes.hpp"
 #include "surrogate/kernel.hpp"
 
 #include <algorithm>
