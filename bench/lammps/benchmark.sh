@@ -1,10 +1,11 @@
 #!/bin/bash
 # CPU time of one contact in one step: pair_style platen beside LAMMPS's own contact styles, in the same LAMMPS.
 #   bench/lammps/benchmark.sh [FOLDER OF THE PLUG-IN] [REPEATS]
-# 32,768 equal spheres in a periodic box, on a simple cubic lattice pressed by 2 % to 98,304 contacts, with random
-# velocities, so that contacts load, unload and slide; the second 250 steps. The styles take turns, and the least
-# time of each is given: LAMMPS's own wall time of "Pair", so leave the machine alone meanwhile. Each rank is bound to
-# a core of its own; the processor and the binding are printed.
+# 32,768 spheres in a periodic box, on a simple cubic lattice pressed by 2 %, with random velocities, so that contacts
+# load, unload and slide; the second 250 steps. First of equal radii (98,304 contacts), then each sphere of a radius of
+# its own, up to 3 % larger or smaller, pressed by 4 %. The styles take turns, and the least time of each is given:
+# LAMMPS's own wall time of "Pair", so leave the machine alone meanwhile. Each rank is bound to a core of its own; the
+# processor and the binding are printed.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 plugin=$(realpath "${1:-$here/../../build/release/lammps}")
@@ -18,6 +19,7 @@ export OMP_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM
 card() { printf 'platen = 1\nlaw = "%s"\n\n[parameters]\n%s\n' "$1" "$2" >"$out/$1.toml"; }
 card edmans-sinka $'sigma_ref_Pa = 1e6\nE_Pa = 1e8\nnu = 0.3\nk = 6.4\ndelta_t = 0.12\na = 2.4'
 card agarwal $'E_Pa = 1e8\nnu = 0.3\nsigma_y_Pa = 1e6'
+card mdr $'E_Pa = 1e8\nnu = 0.3\nsigma_y_Pa = 1e6'
 
 declare -A style=(
   [gran/hertz/history]='pair_style gran/hertz/history 7.3e7 NULL 0 NULL 0.3 0
@@ -25,24 +27,26 @@ pair_coeff * *'
   [granular]='pair_style granular
 pair_coeff * * hertz/material 1e8 0 0.3 tangential mindlin NULL 0 0.3 damping velocity'
 )
-for law in edmans-sinka agarwal; do
+laws=(edmans-sinka agarwal mdr)
+for law in "${laws[@]}"; do
   style[platen/$law]="include $plugin/platen.lmp
 pair_style platen
 pair_coeff * * $out/$law.toml friction 0.3"
 done
 
-input() { # STYLE: random velocities make contacts load, unload, slide
+input() { # STYLE SPREAD SPACING: random velocities make contacts load, unload, slide
   cat <<TEXT
 units si
 atom_style sphere
 newton off
 comm_modify vel yes
 boundary p p p
-lattice sc 1.96e-3
+lattice sc $3
 region box block 0 32 0 32 0 32
 create_box 1 box
 create_atoms 1 box
-set group all diameter 2e-3
+variable diameter atom 2e-3*(1+$2*(2*random(0,1,13)-1))
+set group all diameter v_diameter
 set group all density 1500
 variable vx atom ${speed}*(random(0,1,11)-0.5)
 variable vy atom ${speed}*(random(0,1,12)-0.5)
@@ -64,31 +68,37 @@ TEXT
 }
 speed=2 dt=4e-7
 
-measure() { # STYLE RANKS: contacts, ns a contact and step in Pair, over all ranks
-  input "$1" >"$out/in"
+measure() { # STYLE RANKS SPREAD SPACING: contacts, ns a contact and step in Pair, over all ranks
+  input "$1" "$3" "$4" >"$out/in"
   local run=(mpirun -n "$2" --map-by core --bind-to core --report-bindings
     "$lmp" -in "$out/in" -log "$out/log" -screen none)
-  "${run[@]}" >"$out/screen" 2>&1 || { tail -5 "$out/screen" "$out/log" >&2; return 1; }
+  "${run[@]}" >"$out/screen" 2>&1 || { tail -n 5 "$out/screen" "$out/log" >&2; return 1; }
   awk -v ranks="$2" '
     $1 == "250" || $1 == "500" { contacts = $2 } $1 == "Pair" && $2 == "|" { pair = $5 }
     END { printf "%d %.1f\n", contacts, pair * ranks / (contacts * 250) * 1e9 }' "$out/log"
 }
 
 LC_ALL=C lscpu | grep -E '^(Model name|CPU\(s\)|Thread\(s\) per core|Core\(s\) per socket|Socket\(s\)):'
-printf '%-28s %10s %12s %12s\n' style contacts 'ns, 1 rank' 'ns, 2 ranks'
-styles=(gran/hertz/history granular platen/edmans-sinka platen/agarwal)
-declare -A best
-for ((r = 0; r < repeats; ++r)); do
-  for name in "${styles[@]}"; do
-    for ranks in 1 2; do
-      read -r contacts ns < <(measure "$name" "$ranks")
-      old=${best[$name,$ranks]:-1e9}
-      best[$name,$ranks]=$(awk -v a="$old" -v b="$ns" 'BEGIN { print b < a ? b : a }')
-      best[$name,contacts]=$contacts
+styles=(gran/hertz/history granular "${laws[@]/#/platen/}")
+table() { # SPREAD SPACING
+  local -A best
+  for ((r = 0; r < repeats; ++r)); do
+    for name in "${styles[@]}"; do
+      for ranks in 1 2; do
+        read -r contacts ns < <(measure "$name" "$ranks" "$1" "$2")
+        old=${best[$name,$ranks]:-1e9}
+        best[$name,$ranks]=$(awk -v a="$old" -v b="$ns" 'BEGIN { print b < a ? b : a }')
+        best[$name,contacts]=$contacts
+      done
     done
   done
-done
+  printf '%-28s %10s %12s %12s\n' style contacts 'ns, 1 rank' 'ns, 2 ranks'
+  for name in "${styles[@]}"; do
+    printf '%-28s %10d %12s %12s\n' "$name" "${best[$name,contacts]}" "${best[$name,1]}" "${best[$name,2]}"
+  done
+}
+echo 'equal radii'
+table 0 1.96e-3
+echo 'a radius of its own for each sphere'
+table 0.03 1.92e-3
 grep -o 'rank .*bound to.*' "$out/screen" # of the last run
-for name in "${styles[@]}"; do
-  printf '%-28s %10d %12s %12s\n' "$name" "${best[$name,contacts]}" "${best[$name,1]}" "${best[$name,2]}"
-done

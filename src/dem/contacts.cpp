@@ -39,7 +39,7 @@ void check(const Contact& contact) {
 
 Laws::Laws(Contact contact_, int index_, const Units& units)
     : contact(std::move(contact_)), index(index_), damping(platen_damping_of(contact.restitution)),
-      length(units.length) {
+      length(units.length), alike(contact.on_plane || contact.one->file == contact.two->file) {
   for (const Card& side : {contact.one, contact.on_plane ? contact.one : contact.two}) {
     const fit::LawCard* const card = &*side;
     fixed = fixed || card->parameters.contains("radius_m");
@@ -55,13 +55,13 @@ Laws::Laws(Contact contact_, int index_, const Units& units)
     const law::LawChoice one = fit::body_of(*contact.one, contact.on_plane);
     const law::Law law = contact.on_plane ? law::make_law_on_plane(one, 1)
                                           : law::make_law(one, 1, fit::body_of(*contact.two), 1,
-                                                          alike() ? law::TableAccuracy{} : law::joined_table);
+                                                          alike ? law::TableAccuracy{} : law::joined_table);
     shear = eight_G(law.pair) * units.length / units.force;
     first_ = law.table;
     force_power = law.force_power;
     plain = !contact.on_plane && !fixed && force_power == 2;
   } catch (const law::BadParameter& error) {
-    const bool two = !contact.on_plane && !alike();
+    const bool two = !contact.on_plane && !alike;
     throw InvalidInput(
         fmt::format("{}{}: {}", contact.one->file, two ? " with " + contact.two->file : "", error.what()));
   }
@@ -77,17 +77,17 @@ void Laws::check_radius(const fit::LawCard& card, double R) const {
                     card.file, own->second, R));
 }
 
-const law::Table* Laws::node(int k, bool first_is_larger) {
+const law::Table* Laws::node(std::size_t k, bool first_is_larger) {
   if (k == 0) return first_.get();
-  auto& tables = first_is_larger && !alike() ? mirrored_ : node_;
+  auto& tables = first_is_larger && !alike ? mirrored_ : node_;
   tables.resize(last + 1);
-  auto& table = tables[static_cast<std::size_t>(k)];
+  auto& table = tables[k];
   if (table) return table.get();
   const double t = static_cast<double>(k) / last, small = k == last ? 1 : 1 - t,
                large = k == last ? law::infinity : 1 + t;
   const law::LawChoice one = fit::body_of(*contact.one), two = fit::body_of(*contact.two);
   // The ratio of the radii is rounded, which is a tenth of a per cent of the force: a coarse table will do.
-  const law::TableAccuracy& accuracy = alike() ? law::coarse_table : law::joined_table;
+  const law::TableAccuracy& accuracy = alike ? law::coarse_table : law::joined_table;
   table = (first_is_larger ? law::make_law(one, large, two, small, accuracy)
                            : law::make_law(one, small, two, large, accuracy))
               .table;
@@ -111,7 +111,7 @@ Laws::At Laws::between(double R1, double R2) {
   const double R_e = mean * (1 - t2) / root, x_per_gamma = (1 + 3 * t2) / (2 * (1 - t2) * mean);
   const double F = force_power == 2 ? R_e * R_e : std::pow(R_e, force_power);
   at.scale = {R_e, x_per_gamma, F, F / x_per_gamma, F / (R_e * R_e)};
-  at.table = node(static_cast<int>(std::lround(std::abs(t) * last)), t > 0);
+  at.table = node(nearest(t), t > 0);
   return at;
 }
 

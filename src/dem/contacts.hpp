@@ -55,11 +55,20 @@ class Laws {
     law::Scale scale; ///< SI
   };
   PLATEN_HOT At at(double R1, double R2) {
-    if (R1 == R2 && plain) { // equal spheres, most often
+    if (!plain) [[unlikely]]
+      return between(R1, R2);
+    if (R1 == R2) {
       const double R = R1 * length, square = R * R;
       return {first_.get(), {R, 0.5 / R, square, 2 * R * square}};
     }
-    return between(R1, R2);
+    // R_e = s (1 - t^2)/(2 root), x_per_gamma = q/((1 - t^2) s) with two divisions (pair.hpp)
+    const double s = (R1 + R2) * length, t = (R1 - R2) * length / s, p_s = (1 - t * t) * s, q = 1 + 3 * t * t,
+                 root = std::sqrt(q), per = 1 / (p_s * root), R_e = 0.5 * p_s * p_s * per,
+                 x_per_gamma = q * root * per, square = R_e * R_e, back = p_s * per;
+    const std::size_t k = nearest(t);
+    const auto& tables = ratios(t > 0);
+    const law::Table* table = k < tables.size() ? tables[k].get() : nullptr;
+    return {table ? table : node(k, t > 0), {R_e, x_per_gamma, square, square * p_s * back * back}};
   }
   /// Whether both cards hold at a largest overlap x of the table.
   [[nodiscard]] PLATEN_HOT bool valid(const law::TableView& table, double x) const {
@@ -75,17 +84,22 @@ class Laws {
   double x_valid = law::infinity; ///< the cards hold up to here, delta/R
 
  private:
+  using Tables = std::vector<std::shared_ptr<const law::Table>>;
   static constexpr int last = 512; ///< t = k/512
-  [[nodiscard]] bool alike() const { return contact.on_plane || contact.one->file == contact.two->file; }
+  static std::size_t nearest(double t) { return static_cast<std::size_t>((t < 0 ? -t : t) * last + 0.5); }
+  [[nodiscard]] const Tables& ratios(bool first_is_larger) const {
+    return first_is_larger && !alike ? mirrored_ : node_;
+  }
   At between(double R1, double R2);
-  const law::Table* node(int k, bool first_is_larger);
+  const law::Table* node(std::size_t k, bool first_is_larger);
   void check_radius(const fit::LawCard&, double R) const;
 
   double length = 1, force_power = 2;
-  bool fixed = false;                                              ///< a card is for one radius alone
-  bool plain = false;                                              ///< nothing to be asked of equal spheres
-  std::shared_ptr<const law::Table> first_;                        ///< of equal spheres, or on a plane
-  std::vector<std::shared_ptr<const law::Table>> node_, mirrored_; ///< first sphere smaller; larger
+  bool fixed = false;                       ///< a card is for one radius alone
+  bool alike = false;                       ///< of one card, or a plane
+  bool plain = false;                       ///< spheres of any radius, whose force goes with its square
+  std::shared_ptr<const law::Table> first_; ///< of equal spheres, or on a plane
+  Tables node_, mirrored_;                  ///< by k from 1 on: first sphere smaller; larger
 };
 
 /// The response of the laws at an overlap, with the largest overlap so far [m].

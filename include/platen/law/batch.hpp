@@ -21,6 +21,13 @@
     !defined(PLATEN_PLAIN)
 #define PLATEN_BATCH_VECTORS
 #endif
+#ifdef __clang__
+#define PLATEN_TOGETHER // it asks itself
+#define PLATEN_EIGHT "arch=x86-64-v4"
+#else
+#define PLATEN_TOGETHER _Pragma("GCC ivdep")
+#define PLATEN_EIGHT "arch=x86-64-v4,prefer-vector-width=512"
+#endif
 
 namespace platen::law {
 
@@ -77,7 +84,7 @@ struct Tops {
 template <Want want, bool alike> PLATEN_HOT void place(Batch& b, int count, Tops& tops) {
   const double elastic = b.table[0]->x_elastic, first = b.table[0]->x_first;
   std::int64_t usual = 0;
-#pragma GCC ivdep
+  PLATEN_TOGETHER
   for (int c = 0; c < Batch::size; ++c) {
     const double before = b.gamma_max[c], x = b.overlap[c] * b.x_per_gamma[c];
     const double x_max = larger(x, before * b.x_per_gamma[c]);
@@ -137,7 +144,7 @@ template <Want want, bool alike> PLATEN_HOT void look_up(Batch& b, int count, To
 
 /// By a power law. The compiler takes as many contacts at once as a vector of the processor has numbers.
 template <Want want, bool powers> PLATEN_HOT void unload(Batch& b, const Tops& tops) {
-#pragma GCC ivdep
+  PLATEN_TOGETHER
   for (int c = 0; c < Batch::size; ++c) {
     const double x = tops.x[c], x_top = tops.x_top[c], F = tops.F[c], alpha = tops.alpha[c];
     const double rate = 1 / tops.w[c], xi = 1 - (x_top - x) * rate;
@@ -187,7 +194,7 @@ struct Own {
 
 PLATEN_HOT void unload_indenters(Own& own, int count) {
   constexpr auto half = std::make_index_sequence<SegmentSeries::count / 2>{};
-#pragma GCC ivdep
+  PLATEN_TOGETHER
   for (int k = 0; k < count; ++k) {
     const bool touching = (0 < own.xi[k]) & (0 < own.x[k]);
     const double xi = pick(touching, own.xi[k], 0), xi2 = xi * xi, root = std::sqrt(xi * (2 - xi));
@@ -199,7 +206,7 @@ PLATEN_HOT void unload_indenters(Own& own, int count) {
 }
 
 PLATEN_HOT void unload_differences(Own& own, int count) {
-#pragma GCC ivdep
+  PLATEN_TOGETHER
   for (int k = 0; k < count; ++k) {
     const bool touching = (0 < own.xi[k]) & (0 < own.x[k]);
     const double u = pick(touching, own.u[k], 1), n = own.n[k], rest = 1 - own.lambda[k];
@@ -270,8 +277,7 @@ template <Want want> PLATEN_HOT void evaluate_together(Batch& b, int count) {
 }
 
 #ifdef PLATEN_BATCH_VECTORS
-template <Want want>
-[[gnu::target("arch=x86-64-v4,prefer-vector-width=512")]] void evaluate_by_eight(Batch& b, int count) {
+template <Want want> [[gnu::target(PLATEN_EIGHT)]] void evaluate_by_eight(Batch& b, int count) {
   evaluate_together<want>(b, count);
 }
 template <Want want> [[gnu::target("arch=x86-64-v3")]] void evaluate_by_four(Batch& b, int count) {
@@ -298,3 +304,6 @@ template <Want want = Want::everything> void evaluate(Batch& b, int count) {
 }
 
 } // namespace platen::law
+
+#undef PLATEN_TOGETHER
+#undef PLATEN_EIGHT
