@@ -17,7 +17,7 @@ struct Memory {
 inline constexpr int memory_size = sizeof(Memory) / sizeof(double);
 
 /// The normal force with viscous damping, c = damping sqrt(dF/dgamma m) (damping.hpp). It never pulls: a
-/// sphere that slides throughout has mu J_n.
+/// sphere that slides throughout has no more than mu J_n.
 PLATEN_HOT double damped(double damping, const Units& u, double stiffness, double F, double mass,
                          double v_n) {
   if (!(F > 0)) return F; // apart

@@ -1,8 +1,8 @@
 #pragma once
-// Many contacts at once, as a DEM code has them: the numbers of `evaluate` (table.hpp) but for rounding, in
-// two thirds of the time (bench/law_bench.cpp). A contact alone waits for its root, its quotients and its
-// power, and for a wrong guess whether it loads; here the processor takes eight or four together, and guesses
-// nothing.
+// Many contacts at once, as a DEM code has them: the numbers of `evaluate` (table.hpp) but for rounding, most
+// laws in two thirds of the time, hertz's force in more (bench/law_bench.cpp). A contact alone waits for its
+// root, its quotients and its power, and for a wrong guess whether it loads; here the processor takes eight
+// or four together, and guesses nothing.
 //
 //   Batch b;
 //   for (int c = 0; c < count; ++c) b.law(c, table, scale), b.overlap[c] = ..., b.gamma_max[c] = ...;
@@ -38,7 +38,7 @@ enum class Want {
   everything ///< mean pressure, lost work and validity too
 };
 
-/// Up to 64 contacts; each may have a law of its own.
+/// Up to 64 contacts; each may have a law of its own, which stays until another is given.
 struct Batch {
   static constexpr int size = 64;
   using Numbers = double[size];
@@ -56,11 +56,6 @@ struct Batch {
   PLATEN_HOT void law(int c, const TableView& t, const Scale& s) {
     table[c] = &t;
     R_e[c] = s.R_e, x_per_gamma[c] = s.x_per_gamma, force_scale[c] = s.force, pressure_scale[c] = s.pressure;
-  }
-  /// The first contact once more: what is full needs no questions.
-  void repeat(int c) {
-    table[c] = table[0], x_per_gamma[c] = x_per_gamma[0], force_scale[c] = 0;
-    overlap[c] = overlap[0], gamma_max[c] = gamma_max[0];
   }
 };
 
@@ -85,7 +80,7 @@ template <Want want, bool alike> PLATEN_HOT void place(Batch& b, int count, Tops
   const double elastic = b.table[0]->x_elastic, first = b.table[0]->x_first;
   std::int64_t usual = 0;
   PLATEN_TOGETHER
-  for (int c = 0; c < Batch::size; ++c) {
+  for (int c = 0; c < count; ++c) {
     const double before = b.gamma_max[c], x = b.overlap[c] * b.x_per_gamma[c];
     const double x_max = larger(x, before * b.x_per_gamma[c]);
     const double x_top = pick(x_max <= (alike ? elastic : b.table[c]->x_elastic), x, x_max);
@@ -95,13 +90,13 @@ template <Want want, bool alike> PLATEN_HOT void place(Batch& b, int count, Tops
     usual += good;
   }
   tops.one_by_one_count = 0;
-  if (usual < Batch::size) [[unlikely]]
-    for (int c = 0; c < Batch::size; ++c)
-      if (c < count && tops.x_top[c] < 0) tops.one_by_one[tops.one_by_one_count++] = c;
-  for (int c = 0; c < Batch::size; ++c) tops.v[c] = std::sqrt(larger(tops.x_top[c], 0.0));
+  if (usual < count) [[unlikely]]
+    for (int c = 0; c < count; ++c)
+      if (tops.x_top[c] < 0) tops.one_by_one[tops.one_by_one_count++] = c;
+  for (int c = 0; c < count; ++c) tops.v[c] = std::sqrt(larger(tops.x_top[c], 0.0));
   if constexpr (alike && want == Want::everything) {
     const TableView t = *b.table[0];
-    for (int c = 0; c < Batch::size; ++c)
+    for (int c = 0; c < count; ++c)
       b.in_range[c] = t.in_range(larger(tops.x[c], b.gamma_max[c] * b.x_per_gamma[c]));
   }
 }
@@ -143,9 +138,9 @@ template <Want want, bool alike> PLATEN_HOT void look_up(Batch& b, int count, To
 }
 
 /// By a power law. The compiler takes as many contacts at once as a vector of the processor has numbers.
-template <Want want, bool powers> PLATEN_HOT void unload(Batch& b, const Tops& tops) {
+template <Want want, bool powers> PLATEN_HOT void unload(Batch& b, int count, const Tops& tops) {
   PLATEN_TOGETHER
-  for (int c = 0; c < Batch::size; ++c) {
+  for (int c = 0; c < count; ++c) {
     const double x = tops.x[c], x_top = tops.x_top[c], F = tops.F[c], alpha = tops.alpha[c];
     const double rate = 1 / tops.w[c], xi = 1 - (x_top - x) * rate;
     const bool touching = (0 < xi) & (0 < x);
@@ -249,7 +244,7 @@ template <Want want> PLATEN_HOT void unload_own(Batch& b, const Tops& tops, Shap
   }
 }
 
-template <Want want> PLATEN_RARE void one_by_one(Batch& b, int c) {
+inline void one_by_one(Batch& b, int c) {
   const double per = b.x_per_gamma[c], force = b.force_scale[c];
   const Scale s{b.R_e[c], per, force, force / per, b.pressure_scale[c]};
   const Response now = evaluate(*b.table[c], s, State{0, b.gamma_max[c]}, b.overlap[c]);
@@ -262,18 +257,17 @@ template <Want want> PLATEN_RARE void one_by_one(Batch& b, int c) {
 template <Want want> PLATEN_HOT void evaluate_together(Batch& b, int count) {
   if (count < 1) return;
   Tops tops;
-  for (int c = count; c < Batch::size; ++c) tops.none(c), b.repeat(c);
   std::uintptr_t unlike = 0;
-  for (int c = 0; c < Batch::size; ++c)
+  for (int c = 0; c < count; ++c)
     unlike |= std::bit_cast<std::uintptr_t>(b.table[c]) ^ std::bit_cast<std::uintptr_t>(b.table[0]);
   if (unlike == 0) place<want, true>(b, count, tops), look_up<want, true>(b, count, tops);
   else place<want, false>(b, count, tops), look_up<want, false>(b, count, tops);
-  if (tops.powers) unload<want, true>(b, tops);
-  else unload<want, false>(b, tops);
+  if (tops.powers) unload<want, true>(b, count, tops);
+  else unload<want, false>(b, count, tops);
   if (0 < tops.own_count)
     for (const Shape shape : {Shape::indenter, Shape::difference})
       if (unlike != 0 || b.table[0]->shape == shape) unload_own<want>(b, tops, shape);
-  for (int k = 0; k < tops.one_by_one_count; ++k) one_by_one<want>(b, tops.one_by_one[k]);
+  for (int k = 0; k < tops.one_by_one_count; ++k) one_by_one(b, tops.one_by_one[k]);
 }
 
 #ifdef PLATEN_BATCH_VECTORS
@@ -284,8 +278,8 @@ template <Want want> [[gnu::target("arch=x86-64-v3")]] void evaluate_by_four(Bat
   evaluate_together<want>(b, count);
 }
 #endif
-template <Want want> void evaluate_in_turn(Batch& b, int count) {
-  for (int c = 0; c < count; ++c) one_by_one<want>(b, c);
+inline void evaluate_in_turn(Batch& b, int count) {
+  for (int c = 0; c < count; ++c) one_by_one(b, c);
 }
 
 } // namespace detail
@@ -296,10 +290,10 @@ template <Want want = Want::everything> void evaluate(Batch& b, int count) {
   static void (*const best)(Batch&, int) =
       __builtin_cpu_supports("x86-64-v4")   ? detail::evaluate_by_eight<want>
       : __builtin_cpu_supports("x86-64-v3") ? detail::evaluate_by_four<want>
-                                            : detail::evaluate_in_turn<want>;
+                                            : detail::evaluate_in_turn;
   best(b, count);
 #else
-  detail::evaluate_in_turn<want>(b, count);
+  detail::evaluate_in_turn(b, count);
 #endif
 }
 
