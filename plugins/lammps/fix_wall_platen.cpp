@@ -136,8 +136,8 @@ void FixWallPlaten::contacts() {
   const int a1 = (axis_ + 1) % 3, a2 = (axis_ + 2) % 3;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!(atom->mask[i] & groupbit)) continue;
-    const double *x = atom->x[i], *v = atom->v[i], *w = atom->omega[i], R = atom->radius[i];
-    double n[3] = {}, distance;
+    const double *x = atom->x[i], R = atom->radius[i];
+    double n[3] = {}, v[3] = {atom->v[i][0], atom->v[i][1], atom->v[i][2]}, distance;
     if (cylinder_) {
       const double rho = std::hypot(x[a1], x[a2]);
       distance = position_ - rho;
@@ -159,25 +159,24 @@ void FixWallPlaten::contacts() {
     if (before < m.gamma_max && !laws_->valid(*here.table, m.gamma_max * x_per_gamma) &&
         laws_->valid(*here.table, before * x_per_gamma))
       force_[3]++;
-    double slip[3] = {v[0], v[1], v[2]};
-    slip[axis_] -= cylinder_ ? 0 : velocity_;
-    const double v_n = slip[0] * n[0] + slip[1] * n[1] + slip[2] * n[2];
-    double f[3];
+    const dem::Vec normal = dem::vec(n);
+    v[axis_] -= cylinder_ ? 0 : velocity_;
+    const double v_n = dot(dem::vec(v), normal);
     const double F =
         dem::damped(laws_->damping, units_, now.stiffness, now.force / units_.force, atom->rmass[i], v_n);
-    for (int k = 0; k < 3; k++) f[k] = F * n[k];
+    dem::Vec push = F * normal;
     if (contact_.friction > 0) {
-      slip[0] -= v_n * n[0] + distance * (n[2] * w[1] - n[1] * w[2]);
-      slip[1] -= v_n * n[1] + distance * (n[0] * w[2] - n[2] * w[0]);
-      slip[2] -= v_n * n[2] + distance * (n[1] * w[0] - n[0] * w[1]);
-      if (dt > 0) dem::slide(laws_->shear, contact_.friction, now.contact_radius, F, n, slip, dt, m);
-      const double* s = m.tangential;
-      for (int k = 0; k < 3; k++) f[k] += s[k];
-      atom->torque[i][0] -= distance * (n[1] * s[2] - n[2] * s[1]);
-      atom->torque[i][1] -= distance * (n[2] * s[0] - n[0] * s[2]);
-      atom->torque[i][2] -= distance * (n[0] * s[1] - n[1] * s[0]);
+      const double k_t = laws_->shear * now.contact_radius, limit = F > 0 ? contact_.friction * F : 0;
+      const dem::Vec v_t = dem::vec(v) - v_n * normal + distance * cross(normal, dem::vec(atom->omega[i]));
+      if (dt > 0) {
+        m.tangential = dem::slide(m.tangential, m.k_t, k_t, limit, normal, v_t, dt);
+        m.k_t = k_t;
+      }
+      push = push + m.tangential;
+      dem::add(atom->torque[i], -distance * cross(normal, m.tangential));
     }
-    for (int k = 0; k < 3; k++) atom->f[i][k] += f[k], force_[k] -= f[k];
+    dem::add(atom->f[i], push);
+    dem::add(force_, -1 * push);
   }
 }
 

@@ -1,10 +1,8 @@
 #include "pair_platen.h"
 
-#include "dem/contact_step.hpp"
+#include "dem/contact_block.hpp"
 #include "host.hpp"
 #include "lammps_input.hpp"
-
-#include "platen/law/batch.hpp"
 
 #include "atom.h"
 #include "comm.h"
@@ -22,11 +20,11 @@ using namespace LAMMPS_NS;
 namespace dem = platen::dem;
 namespace law = platen::law;
 
-// The loops over contacts twice, for any processor and for those with fused multiply-add (of 2013 and later),
-// chosen when the program starts: a fifth faster there.
+// The loops over contacts for any processor, for those with AVX2 (of 2013 and later), and for those with
+// AVX-512, chosen when the program starts.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 12 &&                     \
     defined(__GLIBC__) && !defined(PLATEN_PLAIN)
-#define PLATEN_CLONES __attribute__((target_clones("arch=x86-64-v3", "default")))
+#define PLATEN_CLONES __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
 #else
 #define PLATEN_CLONES
 #endif
@@ -201,8 +199,7 @@ double PairPlaten::radii2cut(double r1, double r2) { return r1 + r2; }
 void PairPlaten::transfer_history(double* from, double* to) {
 #endif
   const dem::Memory& m = *reinterpret_cast<const dem::Memory*>(from);
-  const double* s = m.tangential;
-  *reinterpret_cast<dem::Memory*>(to) = {m.gamma_max, {-s[0], -s[1], -s[2]}, m.k_t};
+  *reinterpret_cast<dem::Memory*>(to) = {m.gamma_max, -1 * m.tangential, m.k_t};
 }
 
 /// A contact whose other sphere is a ghost is met twice, here and where that sphere is owned (or its image).
@@ -240,34 +237,30 @@ void PairPlaten::compute(int eflag, int vflag) {
   if (neighbor->ago == 0) warn_beyond(false); // on all ranks alike
 }
 
-/// Touching pairs in blocks, which take three turns: who touches, the law, what follows of its force. Each
-/// turn is short enough for the processor to work on several contacts at once.
-struct PairPlaten::Block {
-  static constexpr int size = law::Batch::size;
-  int count = 0;
+/// Touching pairs in blocks, and whose they are.
+struct PairPlaten::Block : dem::Block {
   int i[size], j[size];
-  dem::Memory* memory[size];
-  dem::Laws* laws[size];
-  double r[size], reach[size], d[size][3]; // distance, sum of radii, x_i - x_j
-  law::Batch law;
 };
 
 PLATEN_CLONES void PairPlaten::contacts() {
+  if (list->inum == 0) return;
   Block block;
-  double* const* x = atom->x;
-  const double* radius = atom->radius;
-  const int *type = atom->type, types = atom->ntypes + 1;
+  const double *x = atom->x[0], *v = atom->v[0], *omega = atom->omega[0]; // three numbers each, side by side
+  const double *radius = atom->radius, *rmass = atom->rmass;
+  const int *type = atom->type, *mask = atom->mask, types = atom->ntypes + 1;
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii], count = list->numneigh[i], *neighbours = list->firstneigh[i];
-    const double xi = x[i][0], yi = x[i][1], zi = x[i][2], radius_i = radius[i];
+    const dem::Vec at_i = dem::vec(x + 3 * i), v_i = dem::vec(v + 3 * i),
+                   spin_i = radius[i] * dem::vec(omega + 3 * i);
+    const double radius_i = radius[i];
     int* const touch = history_->firstflag[i];
     auto* const remembered = reinterpret_cast<dem::Memory*>(history_->firstvalue[i]);
     dem::Laws* const* const row = laws_of_types_.data() + static_cast<std::ptrdiff_t>(type[i]) * types;
     for (int jj = 0; jj < count; jj++) {
       const int j = neighbours[jj] & NEIGHMASK;
-      const double dx = xi - x[j][0], dy = yi - x[j][1], dz = zi - x[j][2];
-      const double rsq = dx * dx + dy * dy + dz * dz, reach = radius_i + radius[j];
-      if (rsq >= reach * reach) {
+      const dem::Vec apart = at_i - dem::vec(x + 3 * j);
+      const double distance2 = dot(apart, apart), reach = radius_i + radius[j];
+      if (distance2 >= reach * reach) {
         if (touch[jj]) touch[jj] = 0, remembered[jj] = {};
         continue;
       }
@@ -275,105 +268,56 @@ PLATEN_CLONES void PairPlaten::contacts() {
       const int c = block.count++;
       block.i[c] = i, block.j[c] = j;
       block.memory[c] = &remembered[jj];
+      __builtin_prefetch(block.memory[c]);
       block.laws[c] = row[type[j]];
-      block.r[c] = std::sqrt(rsq), block.reach[c] = reach;
-      block.d[c][0] = dx, block.d[c][1] = dy, block.d[c][2] = dz;
+      block.distance2[c] = distance2, block.apart.set(c, apart);
+      const bool swapped = type[i] > type[j]; // the radius of the sphere of the first type comes first
+      block.R1[c] = radius[swapped ? j : i], block.R2[c] = radius[swapped ? i : j];
+      block.velocity.set(c, v_i - dem::vec(v + 3 * j));
+      block.spin.set(c, spin_i + radius[j] * dem::vec(omega + 3 * j));
+      if (any_damping_) block.mass[c] = mass_of_both(rmass, mask, i, j);
       if (block.count == Block::size) follow(block);
     }
   }
   follow(block);
 }
 
-/// The radius of the sphere of the first type comes first.
-PLATEN_HOT dem::Laws::At PairPlaten::at(dem::Laws& laws, int i, int j) const {
-  const bool swapped = atom->type[i] > atom->type[j];
-  return laws.at(atom->radius[swapped ? j : i], atom->radius[swapped ? i : j]);
+double PairPlaten::mass_of_both(const double* mass, const int* mask, int i, int j) const {
+  if (mask[j] & freeze_) return mass[i];
+  return mask[i] & freeze_ ? mass[j] : mass[i] * mass[j] / (mass[i] + mass[j]);
 }
 
-PLATEN_HOT void PairPlaten::laws_of(Block& block) {
-  law::Batch& b = block.law;
+template <bool friction, bool damping> PLATEN_HOT void PairPlaten::forces(Block& block) {
+  constexpr law::Want want = friction || damping ? law::Want::contact : law::Want::force;
   try {
-    for (int c = 0; c < block.count; c++) {
-      const dem::Laws::At here = at(*block.laws[c], block.i[c], block.j[c]);
-      b.law(c, *here.table, here.scale);
-      b.overlap[c] = (block.reach[c] - block.r[c]) * units_.length;
-      b.gamma_max[c] = block.memory[c]->gamma_max;
-    }
+    dem::normal_forces<want>(block, units_, [&](int c) { beyond(block.laws[c]->index, block.j[c]); });
   } catch (...) { // none leaves a function that was cloned: GCC 12 ends the program there
     failure_ = std::current_exception();
-    block.count = 0;
     return;
   }
-  if (any_friction_ || any_damping_) law::evaluate<law::Want::contact>(b, block.count);
-  else law::evaluate<law::Want::force>(b, block.count);
-  for (int c = 0; c < block.count; c++) {
-    double& gamma_max = block.memory[c]->gamma_max;
-    const dem::Laws& laws = *block.laws[c];
-    const auto valid = [&](double gamma) { return laws.valid(*b.table[c], gamma * b.x_per_gamma[c]); };
-    if (gamma_max < b.gamma_max[c] && !valid(b.gamma_max[c]) && valid(gamma_max)) [[unlikely]]
-      beyond(laws.index, block.j[c]);
-    gamma_max = b.gamma_max[c];
-  }
-}
-
-template <bool friction, bool damping> PLATEN_HOT void PairPlaten::forces(const Block& block) {
-  double *const *v = atom->v, **f = atom->f, *const *omega = atom->omega, **torque = atom->torque;
-  const double *radius = atom->radius, *rmass = atom->rmass;
-  const int *mask = atom->mask, nlocal = atom->nlocal;
-  const dem::Units u = units_;
-  const double per_force = 1 / u.force;
-  const double dt =
-      update->setupflag ? 0.0 : update->dt; // setup moves nothing, and a restart gives the same bits
+  // setup moves nothing, and a restart gives the same bits
+  dem::step<friction, damping>(block, units_, update->setupflag ? 0.0 : update->dt);
+  double *f = atom->f[0], *torque = atom->torque[0];
+  const double* radius = atom->radius;
+  const int nlocal = atom->nlocal;
   for (int c = 0; c < block.count; c++) {
     const int i = block.i[c], j = block.j[c];
-    const dem::Laws& laws = *block.laws[c];
-    const double rinv = 1 / block.r[c];
-    const double n[3] = {block.d[c][0] * rinv, block.d[c][1] * rinv, block.d[c][2] * rinv};
-    double F = block.law.force[c] * per_force;
-    double w[3], v_n = 0;
-    if constexpr (friction || damping) {
-      for (int k = 0; k < 3; k++) w[k] = v[i][k] - v[j][k];
-      v_n = w[0] * n[0] + w[1] * n[1] + w[2] * n[2];
-    }
-    if constexpr (damping) {
-      double mass = rmass[i] * rmass[j] / (rmass[i] + rmass[j]);
-      if (mask[i] & freeze_) mass = rmass[j];
-      if (mask[j] & freeze_) mass = rmass[i];
-      F = dem::damped(laws.damping, u, block.law.stiffness[c], F, mass, v_n);
-    }
-    double push[3] = {F * n[0], F * n[1], F * n[2]};
+    const dem::Vec push = block.push[c];
+    dem::add(f + 3 * i, push);
+    if (j < nlocal) dem::add(f + 3 * j, -1 * push);
     if constexpr (friction) {
-      // the contact divides the distance as the radii do: torques and forces keep the angular momentum
-      const double flat = block.r[c] / block.reach[c], arm_i = radius[i] * flat, arm_j = radius[j] * flat;
-      double wr[3];
-      for (int k = 0; k < 3; k++) wr[k] = arm_i * omega[i][k] + arm_j * omega[j][k];
-      w[0] -= v_n * n[0] + n[2] * wr[1] - n[1] * wr[2];
-      w[1] -= v_n * n[1] + n[0] * wr[2] - n[2] * wr[0];
-      w[2] -= v_n * n[2] + n[1] * wr[0] - n[0] * wr[1];
-      if (dt > 0)
-        dem::slide(laws.shear, laws.contact.friction, block.law.contact_radius[c], F, n, w, dt,
-                   *block.memory[c]);
-      const double* s = block.memory[c]->tangential;
-      const double turn[3] = {n[1] * s[2] - n[2] * s[1], n[2] * s[0] - n[0] * s[2],
-                              n[0] * s[1] - n[1] * s[0]};
-      for (int k = 0; k < 3; k++) {
-        push[k] += s[k];
-        torque[i][k] -= arm_i * turn[k];
-        if (j < nlocal) torque[j][k] -= arm_j * turn[k];
-      }
+      const dem::Vec turn = block.turn[c];
+      dem::add(torque + 3 * i, -radius[i] * turn);
+      if (j < nlocal) dem::add(torque + 3 * j, -radius[j] * turn);
     }
-    for (int k = 0; k < 3; k++) {
-      f[i][k] += push[k];
-      if (j < nlocal) f[j][k] -= push[k];
+    if (evflag) {
+      const dem::Vec d = block.apart[c];
+      ev_tally_xyz(i, j, nlocal, 0, 0.0, 0.0, push.x, push.y, push.z, d.x, d.y, d.z);
     }
-    if (evflag)
-      ev_tally_xyz(i, j, nlocal, 0, 0.0, 0.0, push[0], push[1], push[2], block.d[c][0], block.d[c][1],
-                   block.d[c][2]);
   }
 }
 
 PLATEN_CLONES void PairPlaten::follow(Block& block) {
-  laws_of(block);
   if (any_friction_) any_damping_ ? forces<true, true>(block) : forces<true, false>(block);
   else any_damping_ ? forces<false, true>(block) : forces<false, false>(block);
   block.count = 0;
@@ -402,14 +346,17 @@ double PairPlaten::single(int i, int j, int, int, double rsq, double, double, do
   };
   if (!find(i, j) && find(j, i)) sign = -1;
   const double r = std::sqrt(rsq);
-  const law::Response now = dem::respond(at(*laws, i, j), m.gamma_max, (reach - r) * units_.length);
+  const int first = atom->type[i] > atom->type[j] ? j : i;
+  const law::Response now = dem::respond(laws->at(atom->radius[first], atom->radius[first == i ? j : i]),
+                                         m.gamma_max, (reach - r) * units_.length);
   const double F = now.force / units_.force;
   svector[0] = reach - r;
   svector[1] = F;
   svector[2] = now.contact_radius / units_.length;
   svector[3] = now.mean_pressure * units_.length * units_.length / units_.force;
   svector[4] = now.dissipated_work / (units_.force * units_.length);
-  for (int k = 0; k < 3; k++) svector[5 + k] = sign * m.tangential[k];
+  const dem::Vec s = sign * m.tangential;
+  svector[5] = s.x, svector[6] = s.y, svector[7] = s.z;
   fforce = F / r;
   return 0;
 }

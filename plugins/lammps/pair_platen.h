@@ -40,9 +40,8 @@ class PairPlaten : public Pair {
   void beyond(int contact, int j);
   struct Block;
   void follow(Block&);
-  platen::dem::Laws::At at(platen::dem::Laws&, int i, int j) const;
-  void laws_of(Block&);
-  template <bool friction, bool damping> void forces(const Block&);
+  double mass_of_both(const double* mass, const int* mask, int i, int j) const;
+  template <bool friction, bool damping> void forces(Block&);
 
   std::map<std::string, platen::dem::Card> cards_; // by file
   std::vector<platen::dem::Contact> contacts_;

@@ -57,9 +57,9 @@ Laws::Laws(Contact contact_, int index_, const Units& units)
                                           : law::make_law(one, 1, fit::body_of(*contact.two), 1,
                                                           alike ? law::TableAccuracy{} : law::joined_table);
     shear = eight_G(law.pair) * units.length / units.force;
-    first_ = law.table;
+    node_ = mirrored_ = {law.table};
     force_power = law.force_power;
-    plain = !contact.on_plane && !fixed && force_power == 2;
+    plain_ = !contact.on_plane && !fixed && force_power == 2;
   } catch (const law::BadParameter& error) {
     const bool two = !contact.on_plane && !alike;
     throw InvalidInput(
@@ -78,7 +78,6 @@ void Laws::check_radius(const fit::LawCard& card, double R) const {
 }
 
 const law::Table* Laws::node(std::size_t k, bool first_is_larger) {
-  if (k == 0) return first_.get();
   auto& tables = first_is_larger && !alike ? mirrored_ : node_;
   tables.resize(last + 1);
   auto& table = tables[k];
@@ -102,23 +101,26 @@ Laws::At Laws::between(double R1, double R2) {
   }
   if (contact.on_plane) {
     const double R = R1 * length, F = force_power == 2 ? R * R : std::pow(R, force_power);
-    at.table = first_.get();
+    at.table = node_[0].get();
     at.scale = {R, 1 / R, F, F * R, F / (R * R)};
     return at;
   }
-  const double mean = (R1 + R2) / 2 * length, t = (R1 - R2) / (R1 + R2), t2 = t * t,
-               root = std::sqrt(1 + 3 * t2);
-  const double R_e = mean * (1 - t2) / root, x_per_gamma = (1 + 3 * t2) / (2 * (1 - t2) * mean);
-  const double F = force_power == 2 ? R_e * R_e : std::pow(R_e, force_power);
-  at.scale = {R_e, x_per_gamma, F, F / x_per_gamma, F / (R_e * R_e)};
-  at.table = node(nearest(t), t > 0);
+  const double s = R1 + R2, t = (R1 - R2) / s;
+  at.scale = scale_of(s * length, t);
+  if (force_power != 2) {
+    const double R_e = at.scale.R_e, F = std::pow(R_e, force_power);
+    at.scale.force = F, at.scale.work = F / at.scale.x_per_gamma, at.scale.pressure = F / (R_e * R_e);
+  }
+  at.table = table(t);
   return at;
 }
 
 std::size_t Laws::bytes() const {
-  std::size_t sum = sizeof(Laws) + first_->bytes();
-  for (const auto* list : {&node_, &mirrored_})
-    for (const auto& table : *list) sum += sizeof(table) + (table ? table->bytes() : 0);
+  std::size_t sum = sizeof(Laws) + node_[0]->bytes();
+  for (const auto* list : {&node_, &mirrored_}) {
+    sum += list->size() * sizeof(node_[0]);
+    for (std::size_t k = 1; k < list->size(); ++k) sum += (*list)[k] ? (*list)[k]->bytes() : 0;
+  }
   return sum;
 }
 

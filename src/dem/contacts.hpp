@@ -4,6 +4,7 @@
 
 #include "fit/law_card.hpp"
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -41,6 +42,15 @@ struct Contact {
 /// Checks a card for what a DEM code can do with it. Throws core::InvalidInput.
 void check(const Contact&);
 
+/// Of two spheres (pair.hpp), s = R1 + R2, t = (R1 - R2)/s, with one division: R_e = s (1 - t^2)/(2 root),
+/// x_per_gamma = q/((1 - t^2) s).
+PLATEN_HOT law::Scale scale_of(double s, double t) {
+  const double p_s = (1 - t * t) * s, q = 1 + 3 * t * t, root = std::sqrt(q);
+  const double per = 1 / (p_s * root), R_e = 0.5 * p_s * p_s * per, back = p_s * per;
+  const double square = R_e * R_e;
+  return {R_e, q * root * per, square, square * p_s * back * back, 1};
+}
+
 /// The laws of two materials. One table serves all radii of the same ratio, t = |R1 - R2|/(R1 + R2), 0 for
 /// equal spheres and 1 against a plane; others take the next of 512, whose force is right to 0.3 %. Each is
 /// made when it is first needed; of unlike bodies they are coarse (law::joined_table).
@@ -55,20 +65,19 @@ class Laws {
     law::Scale scale; ///< SI
   };
   PLATEN_HOT At at(double R1, double R2) {
-    if (!plain) [[unlikely]]
+    if (!plain_) [[unlikely]]
       return between(R1, R2);
-    if (R1 == R2) {
-      const double R = R1 * length, square = R * R;
-      return {first_.get(), {R, 0.5 / R, square, 2 * R * square}};
-    }
-    // R_e = s (1 - t^2)/(2 root), x_per_gamma = q/((1 - t^2) s) with two divisions (pair.hpp)
-    const double s = (R1 + R2) * length, t = (R1 - R2) * length / s, p_s = (1 - t * t) * s, q = 1 + 3 * t * t,
-                 root = std::sqrt(q), per = 1 / (p_s * root), R_e = 0.5 * p_s * p_s * per,
-                 x_per_gamma = q * root * per, square = R_e * R_e, back = p_s * per;
-    const std::size_t k = nearest(t);
-    const auto& tables = ratios(t > 0);
-    const law::Table* table = k < tables.size() ? tables[k].get() : nullptr;
-    return {table ? table : node(k, t > 0), {R_e, x_per_gamma, square, square * p_s * back * back}};
+    const double s = R1 + R2, t = (R1 - R2) / s;
+    return {table(t), scale_of(s * length, t)};
+  }
+  /// Spheres of any radius, whose force goes with its square: `table` and `scale_of` say what `at` does.
+  [[nodiscard]] bool plain() const { return plain_; }
+  /// Of spheres, t = (R1 - R2)/(R1 + R2).
+  PLATEN_HOT const law::Table* table(double t) {
+    const auto k = static_cast<std::size_t>(static_cast<int>((t < 0 ? -t : t) * last + 0.5));
+    const Tables& tables = !alike && t > 0 ? mirrored_ : node_; // a guess for each contact costs
+    const law::Table* made = k < tables.size() ? tables[k].get() : nullptr;
+    return made ? made : node(k, t > 0);
   }
   /// Whether both cards hold at a largest overlap x of the table.
   [[nodiscard]] PLATEN_HOT bool valid(const law::TableView& table, double x) const {
@@ -86,20 +95,15 @@ class Laws {
  private:
   using Tables = std::vector<std::shared_ptr<const law::Table>>;
   static constexpr int last = 512; ///< t = k/512
-  static std::size_t nearest(double t) { return static_cast<std::size_t>((t < 0 ? -t : t) * last + 0.5); }
-  [[nodiscard]] const Tables& ratios(bool first_is_larger) const {
-    return first_is_larger && !alike ? mirrored_ : node_;
-  }
   At between(double R1, double R2);
   const law::Table* node(std::size_t k, bool first_is_larger);
   void check_radius(const fit::LawCard&, double R) const;
 
   double length = 1, force_power = 2;
-  bool fixed = false;                       ///< a card is for one radius alone
-  bool alike = false;                       ///< of one card, or a plane
-  bool plain = false;                       ///< spheres of any radius, whose force goes with its square
-  std::shared_ptr<const law::Table> first_; ///< of equal spheres, or on a plane
-  Tables node_, mirrored_;                  ///< by k from 1 on: first sphere smaller; larger
+  bool fixed = false; ///< a card is for one radius alone
+  bool alike = false; ///< of one card, or a plane
+  bool plain_ = false;
+  Tables node_, mirrored_; ///< by k: first sphere smaller; larger. The first: of equal spheres, or on a plane
 };
 
 /// The response of the laws at an overlap, with the largest overlap so far [m].

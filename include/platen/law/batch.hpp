@@ -106,6 +106,11 @@ template <Want want, bool alike> PLATEN_HOT void look_up(Batch& b, int count, To
   const TableView first = *b.table[0]; // a copy, which no number that is stored can change
   bool powers = false;
   int own_count = 0;
+  const Cell* cells[Batch::size];
+  for (int c = 0; c < count; ++c) {
+    const TableView& t = alike ? first : *b.table[c];
+    cells[c] = t.cell(pick(tops.x_top[c] < 0, t.x_first, tops.x_top[c]));
+  }
   for (int c = 0; c < count; ++c) {
     const TableView& t = alike ? first : *b.table[c];
     const double x = tops.x[c], x_top = tops.x_top[c];
@@ -113,7 +118,7 @@ template <Want want, bool alike> PLATEN_HOT void look_up(Batch& b, int count, To
       tops.none(c);
       continue;
     }
-    const Cell* cell = t.cell(x_top);
+    const Cell* cell = cells[c];
     const double s = tops.v[c] - cell->left;
     tops.F[c] = cell->F.value(s), tops.w[c] = cell->w.value(s);
     tops.alpha[c] = cell->alpha + s * cell->alpha_slope;
@@ -299,5 +304,4 @@ template <Want want = Want::everything> void evaluate(Batch& b, int count) {
 
 } // namespace platen::law
 
-#undef PLATEN_TOGETHER
 #undef PLATEN_EIGHT
