@@ -29,8 +29,8 @@ struct Block {
   alignas(64) Numbers mass;              ///< m_i m_j/(m_i + m_j); with damping
   // out
   alignas(64) Numbers distance;
-  alignas(64) Numbers flat; ///< over the sum of radii. The contact divides the distance as the radii do:
-                            ///< torques and forces keep the angular momentum
+  alignas(64) Numbers flat;     ///< over the sum of radii. The contact divides the distance as the radii do:
+                                ///< torques and forces keep the angular momentum
   alignas(64) Numbers from, to; ///< overlaps of the table that the cards cover; some laws have more
   Vecs push;                    ///< force on i, and less on j
   Vecs turn;                    ///< torque on i over -R_i, and on j over -R_j

@@ -61,13 +61,17 @@ struct Batch {
 
 namespace detail {
 
+constexpr unsigned bit_of(Shape shape) { return 1U << static_cast<unsigned>(shape); }
+
 /// Where the loading curve is left, and what the tables say there.
 struct Tops {
   using Numbers = Batch::Numbers;
   alignas(64) Numbers x, x_top, v, F, slope, a, w, alpha, lost;
-  int one_by_one[Batch::size], own[Batch::size]; ///< contacts; the latter unload by a shape of their own
-  int one_by_one_count = 0, own_count = 0;
-  bool powers = false; ///< some alpha is not 3/2
+  int one_by_one[Batch::size]; ///< contacts
+  int one_by_one_count = 0;
+  alignas(64) Numbers n, lambda, shape; ///< of Shape::difference; where there are several
+  unsigned shapes = 0;                  ///< a bit for each Shape that is there
+  bool powers = false;                  ///< some alpha is not 3/2
 
   void none(int c) {
     x[c] = F[c] = slope[c] = lost[c] = 0, alpha[c] = 1.5;
@@ -101,11 +105,12 @@ template <Want want, bool alike> PLATEN_HOT void place(Batch& b, int count, Tops
   }
 }
 
-/// Contact by contact, since each has a cell of its own.
+/// Contact by contact, since each has a cell of its own: all cells first, so that the processor waits for
+/// several.
 template <Want want, bool alike> PLATEN_HOT void look_up(Batch& b, int count, Tops& tops) {
   const TableView first = *b.table[0]; // a copy, which no number that is stored can change
   bool powers = false;
-  int own_count = 0;
+  unsigned shapes = 0;
   const Cell* cells[Batch::size];
   for (int c = 0; c < count; ++c) {
     const TableView& t = alike ? first : *b.table[c];
@@ -122,9 +127,7 @@ template <Want want, bool alike> PLATEN_HOT void look_up(Batch& b, int count, To
     const double s = tops.v[c] - cell->left;
     tops.F[c] = cell->F.value(s), tops.w[c] = cell->w.value(s);
     tops.alpha[c] = cell->alpha + s * cell->alpha_slope;
-    powers |= !t.all_three_halves;
-    tops.own[own_count] = c;
-    own_count += static_cast<int>(t.shape != Shape::power) & static_cast<int>(x < x_top);
+    if constexpr (!alike) powers |= !t.all_three_halves, shapes |= bit_of(t.shape);
     if constexpr (want != Want::force) {
       tops.slope[c] = cell->F.slope(s);
       tops.a[c] = cell->a.value(s);
@@ -139,34 +142,7 @@ template <Want want, bool alike> PLATEN_HOT void look_up(Batch& b, int count, To
     }
     b.gamma_max[c] = larger(b.overlap[c], b.gamma_max[c]);
   }
-  tops.powers = powers, tops.own_count = own_count;
-}
-
-/// By a power law. The compiler takes as many contacts at once as a vector of the processor has numbers.
-template <Want want, bool powers> PLATEN_HOT void unload(Batch& b, int count, const Tops& tops) {
-  PLATEN_TOGETHER
-  for (int c = 0; c < count; ++c) {
-    const double x = tops.x[c], x_top = tops.x_top[c], F = tops.F[c], alpha = tops.alpha[c];
-    const double rate = 1 / tops.w[c], xi = 1 - (x_top - x) * rate;
-    const bool touching = (0 < xi) & (0 < x);
-    const double base = pick(touching, xi, 0);
-    double radius;
-    if constexpr (powers) {
-      const double y = (alpha - 1) * core::detail::log_of_normal(pick(touching, xi, 1));
-      radius = pick(touching, core::detail::exp_within(pick(y < -700, -700, y)), 0);
-    } else radius = std::sqrt(base);
-    b.force[c] = b.force_scale[c] * F * base * radius;
-    if constexpr (want != Want::force) {
-      const double loading = tops.slope[c] / (2 * tops.v[c]), below = F * alpha * radius * rate;
-      b.stiffness[c] = b.force_scale[c] * b.x_per_gamma[c] * pick(x < x_top, below, loading);
-      b.contact_radius[c] = b.R_e[c] * tops.a[c] * radius;
-    }
-    if constexpr (want == Want::everything) {
-      const double pressure = powers ? base / pick(touching, radius, 1) : radius;
-      b.mean_pressure[c] = b.pressure_scale[c] * F * pressure / (std::numbers::pi * tops.a[c] * tops.a[c]);
-      b.dissipated_work[c] = b.force_scale[c] / b.x_per_gamma[c] * tops.lost[c];
-    }
-  }
+  tops.powers = alike ? !first.all_three_halves : powers, tops.shapes = alike ? bit_of(first.shape) : shapes;
 }
 
 /// (acos(1 - xi) - (1 - xi) sqrt(2 xi - xi^2))/xi^(3/2) as its series, for xi in [0, 1]: to 1e-15.
@@ -187,66 +163,78 @@ template <std::size_t... k> PLATEN_HOT double every_second(int first, double xi2
   return sum;
 }
 
-/// Contacts that unload by a shape of their own, in the order of Tops::own, and what `own_shape` has of them.
-struct Own {
-  alignas(64) Batch::Numbers xi, x, u, rate, n, lambda, force, slope, radius;
+/// u^y of u in (0, 1].
+PLATEN_HOT double power_of_part(double u, double y) {
+  const double exponent = y * core::detail::log_of_normal(u);
+  return core::detail::exp_within(pick(exponent < -700, -700, exponent));
+}
+
+/// How contacts unload: `own_shape` of table.hpp, several at a time; 1, rate of loading, 1, 1 at xi = 1.
+template <Shape shape, bool powers> struct Shaped {
+  double force, slope, radius, pressure; ///< over F, F, a, F/(pi a^2) at the top
+  PLATEN_HOT Shaped(const Tops& tops, int c, double xi, double rate, bool touching) {
+    const double base = pick(touching, xi, 0);
+    if constexpr (shape == Shape::power) {
+      radius = powers ? pick(touching, power_of_part(pick(touching, xi, 1), tops.alpha[c] - 1), 0)
+                      : std::sqrt(base);
+      force = base * radius;
+      slope = tops.alpha[c] * radius * rate;
+      pressure = powers ? base / pick(touching, radius, 1) : radius;
+    } else if constexpr (shape == Shape::indenter) {
+      constexpr auto half = std::make_index_sequence<SegmentSeries::count / 2>{};
+      const double square = base * base, root2 = base * (2 - base);
+      radius = std::sqrt(root2);
+      force = 2 / std::numbers::pi * base * std::sqrt(base) *
+              (every_second(0, square, half) + base * every_second(1, square, half));
+      slope = 4 / std::numbers::pi * radius * rate;
+      pressure = force / pick(touching, root2, 1);
+    } else {
+      const double u = pick(touching, tops.x[c] / tops.x_top[c], 1), p = power_of_part(u, tops.n[c]);
+      const double rest = 1 - tops.lambda[c];
+      force = pick(touching & (tops.lambda[c] < p), (p - tops.lambda[c]) / rest, 0);
+      slope = pick(touching, tops.n[c] * p / (rest * pick(touching, tops.x[c], 1)), 0);
+      radius = pick(touching, std::sqrt(u), 0);
+      pressure = force / u;
+    }
+  }
 };
 
-PLATEN_HOT void unload_indenters(Own& own, int count) {
-  constexpr auto half = std::make_index_sequence<SegmentSeries::count / 2>{};
+/// The compiler takes as many contacts at once as a vector of the processor has numbers. Of several shapes
+/// each has its turn, and keeps its own.
+template <Want want, Shape shape, bool powers, bool mixed>
+PLATEN_HOT void unload(Batch& b, int count, const Tops& tops) {
   PLATEN_TOGETHER
-  for (int k = 0; k < count; ++k) {
-    const bool touching = (0 < own.xi[k]) & (0 < own.x[k]);
-    const double xi = pick(touching, own.xi[k], 0), xi2 = xi * xi, root = std::sqrt(xi * (2 - xi));
-    own.force[k] = 2 / std::numbers::pi * xi * std::sqrt(xi) *
-                   (every_second(0, xi2, half) + xi * every_second(1, xi2, half));
-    own.slope[k] = 4 / std::numbers::pi * root * own.rate[k];
-    own.radius[k] = root;
-  }
-}
-
-PLATEN_HOT void unload_differences(Own& own, int count) {
-  PLATEN_TOGETHER
-  for (int k = 0; k < count; ++k) {
-    const bool touching = (0 < own.xi[k]) & (0 < own.x[k]);
-    const double u = pick(touching, own.u[k], 1), n = own.n[k], rest = 1 - own.lambda[k];
-    const double y = n * core::detail::log_of_normal(u),
-                 p = core::detail::exp_within(pick(y < -700, -700, y));
-    own.force[k] = pick(touching & (own.lambda[k] < p), (p - own.lambda[k]) / rest, 0);
-    own.slope[k] = pick(touching, n * p / (rest * pick(touching, own.x[k], 1)), 0);
-    own.radius[k] = pick(touching, std::sqrt(u), 0);
-  }
-}
-
-template <Want want> PLATEN_HOT void unload_own(Batch& b, const Tops& tops, Shape shape) {
-  Own own;
-  int at[Batch::size], count = 0;
-  for (int k = 0; k < tops.own_count; ++k) {
-    const int c = tops.own[k];
-    const TableView& t = *b.table[c];
-    own.x[count] = tops.x[c], own.rate[count] = 1 / tops.w[c], own.u[count] = tops.x[c] / tops.x_top[c];
-    own.xi[count] = 1 - (tops.x_top[c] - tops.x[c]) * own.rate[count];
-    own.n[count] = t.n, own.lambda[count] = t.lambda_p;
-    at[count] = c;
-    count += t.shape == shape;
-  }
-  if (count == 0) return;
-  const int whole = (count + 7) / 8 * 8;
-  for (int k = count; k < whole; ++k)
-    own.xi[k] = own.x[k] = 0, own.u[k] = own.n[k] = 1, own.lambda[k] = 0, own.rate[k] = 0;
-  if (shape == Shape::indenter) unload_indenters(own, whole);
-  else unload_differences(own, whole);
-  for (int k = 0; k < count; ++k) {
-    const int c = at[k];
-    const double F = tops.F[c] * b.force_scale[c];
-    b.force[c] = F * own.force[k];
+  for (int c = 0; c < count; ++c) {
+    const double x = tops.x[c], x_top = tops.x_top[c], F = tops.F[c];
+    const double rate = 1 / tops.w[c], xi = 1 - (x_top - x) * rate;
+    const Shaped<shape, powers> below(tops, c, xi, rate, (0 < xi) & (0 < x));
+    const bool mine = !mixed || tops.shape[c] == static_cast<double>(shape);
+    const auto give = [&](double& to, double value) { to = mixed ? pick(mine, value, to) : value; };
+    give(b.force[c], b.force_scale[c] * F * below.force);
     if constexpr (want != Want::force) {
-      b.stiffness[c] = F * b.x_per_gamma[c] * own.slope[k];
-      b.contact_radius[c] = b.R_e[c] * tops.a[c] * own.radius[k];
+      const double slope = pick(x < x_top, F * below.slope, tops.slope[c] / (2 * tops.v[c]));
+      give(b.stiffness[c], b.force_scale[c] * b.x_per_gamma[c] * slope);
+      give(b.contact_radius[c], b.R_e[c] * tops.a[c] * below.radius);
     }
-    if constexpr (want == Want::everything)
-      b.mean_pressure[c] = mean_pressure(b.force[c], b.contact_radius[c]);
+    if constexpr (want == Want::everything) {
+      give(b.mean_pressure[c],
+           b.pressure_scale[c] * F * below.pressure / (std::numbers::pi * tops.a[c] * tops.a[c]));
+      b.dissipated_work[c] = b.force_scale[c] / b.x_per_gamma[c] * tops.lost[c];
+    }
   }
+}
+
+template <Want want, bool mixed> PLATEN_HOT void unload(Batch& b, int count, Tops& tops) {
+  if (tops.shapes & bit_of(Shape::difference))
+    for (int c = 0; c < count; ++c) tops.n[c] = b.table[c]->n, tops.lambda[c] = b.table[c]->lambda_p;
+  if constexpr (mixed)
+    for (int c = 0; c < count; ++c) tops.shape[c] = static_cast<double>(b.table[c]->shape);
+  if (tops.shapes & bit_of(Shape::power)) {
+    if (tops.powers) unload<want, Shape::power, true, mixed>(b, count, tops);
+    else unload<want, Shape::power, false, mixed>(b, count, tops);
+  }
+  if (tops.shapes & bit_of(Shape::indenter)) unload<want, Shape::indenter, false, mixed>(b, count, tops);
+  if (tops.shapes & bit_of(Shape::difference)) unload<want, Shape::difference, false, mixed>(b, count, tops);
 }
 
 inline void one_by_one(Batch& b, int c) {
@@ -267,11 +255,9 @@ template <Want want> PLATEN_HOT void evaluate_together(Batch& b, int count) {
     unlike |= std::bit_cast<std::uintptr_t>(b.table[c]) ^ std::bit_cast<std::uintptr_t>(b.table[0]);
   if (unlike == 0) place<want, true>(b, count, tops), look_up<want, true>(b, count, tops);
   else place<want, false>(b, count, tops), look_up<want, false>(b, count, tops);
-  if (tops.powers) unload<want, true>(b, count, tops);
+  if (tops.shapes & (tops.shapes - 1)) [[unlikely]]
+    unload<want, true>(b, count, tops);
   else unload<want, false>(b, count, tops);
-  if (0 < tops.own_count)
-    for (const Shape shape : {Shape::indenter, Shape::difference})
-      if (unlike != 0 || b.table[0]->shape == shape) unload_own<want>(b, tops, shape);
   for (int k = 0; k < tops.one_by_one_count; ++k) one_by_one(b, tops.one_by_one[k]);
 }
 
