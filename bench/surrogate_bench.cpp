@@ -30,7 +30,7 @@ void force(benchmark::State& state, const char* card) {
   const auto at = surrogate::input_of(surrogate, description.coordinates);
   for (auto _ : state)
     for (const auto& layer : surrogate.layers)
-      benchmark::DoNotOptimize(surrogate::values_at(layer.force, layer.inputs, at));
+      benchmark::DoNotOptimize(surrogate::values_at(layer.force, layer.columns, at));
   state.SetLabel(surrogate.pool);
 }
 BENCHMARK_CAPTURE(force, elastic, "elastic")->Unit(benchmark::kMicrosecond);

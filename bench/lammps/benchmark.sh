@@ -5,7 +5,7 @@
 # load, unload and slide; the second 250 steps. First of equal radii (98,304 contacts), then each sphere of a radius of
 # its own, up to 3 % larger or smaller, pressed by 4 %. The styles take turns, and the least time of each is given:
 # LAMMPS's own wall time of "Pair", so leave the machine alone meanwhile. Each rank is bound to a core of its own; the
-# processor and the binding are printed.
+# processor and the binding are printed. Efficiency: of two ranks over one; ratio: of one rank to gran/hertz/history.
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 plugin=$(realpath "${1:-$here/../../build/release/lammps}")
@@ -92,9 +92,11 @@ table() { # SPREAD SPACING
       done
     done
   done
-  printf '%-28s %10s %12s %12s\n' style contacts 'ns, 1 rank' 'ns, 2 ranks'
+  printf '%-28s %10s %12s %12s %12s %8s\n' style contacts 'ns, 1 rank' 'ns, 2 ranks' 'efficiency' 'ratio'
   for name in "${styles[@]}"; do
-    printf '%-28s %10d %12s %12s\n' "$name" "${best[$name,contacts]}" "${best[$name,1]}" "${best[$name,2]}"
+    awk -v name="$name" -v n="${best[$name,contacts]}" -v one="${best[$name,1]}" -v two="${best[$name,2]}" \
+      -v host="${best[${styles[0]},1]}" \
+      'BEGIN { printf "%-28s %10d %12s %12s %12.2f %8.2f\n", name, n, one, two, one / two, one / host }'
   done
 }
 echo 'equal radii'

@@ -33,7 +33,7 @@ law::PressedMaterial curve(const Surrogate& s, const Said& l, const material::Ma
 }
 
 /// Standard deviation of a score; `wider`: of the band over what the processes would have.
-double deviation(const Process& process, const Inputs& inputs, const std::vector<double>& at, double wider) {
+double deviation(const Process& process, const Columns& inputs, const std::vector<double>& at, double wider) {
   return wider * std::sqrt(variances({&process, 1}, inputs, at)[0] + process.nugget * process.variance);
 }
 
@@ -62,7 +62,7 @@ Curves surrogate_curves(const material::Material& typical) {
     for (const auto& layer : s->layers) {
       const double scatter = &layer == &s->layers.front() ? 1 : best.scatter;
       for (std::size_t c = 0; c < layer.force.basis.size(); ++c) {
-        const double by = scatter * deviation(layer.force.processes[c], layer.inputs, at, wider);
+        const double by = scatter * deviation(layer.force.processes[c], layer.columns, at, wider);
         auto other = best;
         for (std::size_t j = 0; j < other.F.size(); ++j) {
           other.F[j] += by * layer.force.basis[c][j];
@@ -74,7 +74,7 @@ Curves surrogate_curves(const material::Material& typical) {
            {std::tuple{&Layer::work, &Said::work, scatter}, {&Layer::exponent, &Said::exponent, 1.0}}) {
         const Components& of = layer.*components;
         for (std::size_t c = 0; c < of.basis.size(); ++c) {
-          const double by = factor * deviation(of.processes[c], layer.inputs, at, 1);
+          const double by = factor * deviation(of.processes[c], layer.columns, at, 1);
           auto other = best;
           for (std::size_t j = 0; j < (other.*values).size(); ++j) (other.*values)[j] += by * of.basis[c][j];
           ways.push_back(curve(*s, other, m));

@@ -63,7 +63,7 @@ Crossed cross(const Components& components, const Table& table, const Inputs& in
   return crossed;
 }
 
-std::vector<double> values_at(const Components& components, const Inputs& inputs,
+std::vector<double> values_at(const Components& components, const Columns& inputs,
                               std::span<const double> at) {
   auto values = components.mean;
   const auto scores = means(components.processes, inputs, at);
@@ -72,7 +72,7 @@ std::vector<double> values_at(const Components& components, const Inputs& inputs
   return values;
 }
 
-std::vector<double> variances_at(const Components& components, const Inputs& inputs,
+std::vector<double> variances_at(const Components& components, const Columns& inputs,
                                  std::span<const double> at) {
   std::vector<double> variance;
   for (const double rest : components.rest) variance.push_back(rest * rest);

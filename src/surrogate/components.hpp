@@ -36,10 +36,11 @@ struct Crossed {
 Crossed cross(const Components& components, const Table& table, const Inputs& inputs);
 
 /// The values at a place.
-std::vector<double> values_at(const Components& components, const Inputs& inputs, std::span<const double> at);
+std::vector<double> values_at(const Components& components, const Columns& inputs,
+                              std::span<const double> at);
 
 /// Their variances, with the nugget: of a press, not of the mean of many.
-std::vector<double> variances_at(const Components& components, const Inputs& inputs,
+std::vector<double> variances_at(const Components& components, const Columns& inputs,
                                  std::span<const double> at);
 
 } // namespace platen::surrogate

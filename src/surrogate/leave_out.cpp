@@ -38,9 +38,10 @@ Crossed cross_anew(const Table& table, const Inputs& inputs) {
     }
     auto [components, scores] = reduce(others);
     for (const auto& score : scores) components.processes.push_back(fit_process(where, score));
+    const Columns columns = where;
     for (std::size_t i = part; i < table.size(); i += parts) {
-      crossed.mean[i] = values_at(components, where, inputs.row(i));
-      crossed.variance[i] = variances_at(components, where, inputs.row(i));
+      crossed.mean[i] = values_at(components, columns, inputs.row(i));
+      crossed.variance[i] = variances_at(components, columns, inputs.row(i));
     }
   }
   return crossed;

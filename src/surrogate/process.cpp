@@ -28,12 +28,10 @@ std::vector<std::size_t> nearest(const double* r, std::size_t count) {
   return near;
 }
 
-Inputs rows_at(const Inputs& inputs, const std::vector<std::size_t>& which) {
-  Inputs some{inputs.dimensions, {}};
-  for (const std::size_t i : which) {
-    const auto row = inputs.row(i);
-    some.values.insert(some.values.end(), row.begin(), row.end());
-  }
+Inputs rows_at(const Columns& inputs, const std::vector<std::size_t>& which) {
+  Inputs some{inputs.dimensions(), {}};
+  for (const std::size_t i : which)
+    for (std::size_t k = 0; k < inputs.dimensions(); ++k) some.values.push_back(inputs.column(k)[i]);
   return some;
 }
 
@@ -106,25 +104,32 @@ void remember(Process& p, const Inputs& inputs) {
 
 namespace {
 
-/// What the kernels of all processes have in common at a place: columns of inputs, filled up to whole
-/// vectors.
+constexpr std::size_t width = core::lanes<core::Lanes>;
+
+/// What the kernels of all processes have in common at a place, of some of the inputs.
 struct Place {
   std::size_t length;
   std::vector<double> squares; ///< 5 (x_i - at_i)^2, a column a coordinate
   std::vector<double> plane;   ///< 1 + (x - 1/2).(at - 1/2)
+};
 
-  Place(const Inputs& inputs, std::span<const double> at)
-      : length((inputs.size() + width - 1) / width * width), squares(length * inputs.dimensions),
-        plane(length) {
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-      const auto x = inputs.row(i);
-      for (std::size_t k = 0; k < x.size(); ++k)
-        squares[k * length + i] = 5 * (x[k] - at[k]) * (x[k] - at[k]);
-      plane[i] = plane_product(x, at);
+PLATEN_VECTOR_CLONES void look(Place& place, const Columns& inputs, std::size_t first,
+                               std::span<const double> at) {
+  std::fill_n(place.plane.begin(), place.length, 1);
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const double* const x = inputs.column(k) + first;
+    double *const square = place.squares.data() + k * place.length, *const plane = place.plane.data();
+    const double here = at[k], from_middle = here - 0.5;
+    for (std::size_t i = 0; i < place.length; ++i) {
+      square[i] = 5 * (x[i] - here) * (x[i] - here);
+      plane[i] += (x[i] - 0.5) * from_middle;
     }
   }
-  static constexpr std::size_t width = core::lanes<core::Lanes>;
-};
+}
+
+Place place_for(const Columns& inputs, std::size_t length) {
+  return {length, std::vector<double>(length * inputs.dimensions()), std::vector<double>(length)};
+}
 
 std::vector<double> squared(std::vector<double> w) {
   for (double& one : w) one *= one;
@@ -138,7 +143,7 @@ void for_kernels(const Process& p, const std::vector<double>& w2, const Place& p
   T x;
   const double* const scales = w2.data();
   const std::size_t dimensions = w2.size();
-  for (std::size_t i = 0; i < place.length; i += Place::width) {
+  for (std::size_t i = 0; i < place.length; i += width) {
     T square{};
     const double* column = place.squares.data() + i;
     for (std::size_t k = 0; k < dimensions; ++k, column += place.length) {
@@ -161,7 +166,7 @@ PLATEN_VECTOR_CLONES [[gnu::flatten]] double weighted(const Process& p, const st
     sum += w * kernel;
   });
   double all = 0;
-  for (std::size_t n = 0; n < Place::width; ++n) all += sum[n];
+  for (std::size_t n = 0; n < width; ++n) all += sum[n];
   return all;
 }
 
@@ -177,13 +182,29 @@ PLATEN_VECTOR_CLONES [[gnu::flatten]] void kernels(const Process& p, const std::
 
 } // namespace
 
-std::vector<double> means(std::span<const Process> processes, const Inputs& inputs,
+Columns::Columns(const Inputs& inputs)
+    : count_(inputs.size()), dimensions_(inputs.dimensions), length_((count_ + width - 1) / width * width),
+      values_(length_ * dimensions_) {
+  for (std::size_t i = 0; i < count_; ++i)
+    for (std::size_t k = 0; k < dimensions_; ++k) values_[k * length_ + i] = inputs.row(i)[k];
+}
+
+std::vector<double> means(std::span<const Process> processes, const Columns& inputs,
                           std::span<const double> at) {
-  const Place place(inputs, at);
-  std::vector<double> weights(place.length), result;
-  for (const Process& p : processes) {
-    std::copy(p.weights.begin(), p.weights.end(), weights.begin());
-    result.push_back(p.variance * weighted(p, squared(p.w), place, weights.data()));
+  constexpr std::size_t part = 128; // of the inputs at a time, which the first cache holds
+  Place place = place_for(inputs, std::min(part, inputs.length()));
+  std::vector<double> result(processes.size());
+  std::vector<std::vector<double>> w2;
+  for (const Process& p : processes) w2.push_back(squared(p.w));
+  for (std::size_t first = 0; first < inputs.length(); first += part) {
+    place.length = std::min(part, inputs.length() - first);
+    look(place, inputs, first, at);
+    const std::size_t count = std::min(part, inputs.size() - first);
+    for (std::size_t c = 0; c < processes.size(); ++c) {
+      std::array<double, part> weights{};
+      std::copy_n(processes[c].weights.begin() + static_cast<std::ptrdiff_t>(first), count, weights.begin());
+      result[c] += processes[c].variance * weighted(processes[c], w2[c], place, weights.data());
+    }
   }
   return result;
 }
@@ -210,9 +231,10 @@ void pass_through(Process& p, const Inputs& inputs, std::span<const double> valu
   for (Eigen::Index i = 0; i < n; ++i) p.weights.push_back(z(i) / p.variance);
 }
 
-std::vector<double> variances(std::span<const Process> processes, const Inputs& inputs,
+std::vector<double> variances(std::span<const Process> processes, const Columns& inputs,
                               std::span<const double> at) {
-  const Place place(inputs, at);
+  Place place = place_for(inputs, inputs.length());
+  look(place, inputs, 0, at);
   std::vector<double> r(place.length), k(place.length), result;
   for (const Process& p : processes) {
     kernels(p, squared(p.w), place, r.data(), k.data());

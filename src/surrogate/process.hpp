@@ -22,6 +22,21 @@ struct Inputs {
   std::span<const double> row(std::size_t i) const { return {values.data() + i * dimensions, dimensions}; }
 };
 
+/// Inputs by coordinate, filled up to whole vectors: what is asked at many places.
+class Columns {
+ public:
+  Columns() = default;
+  Columns(const Inputs&); // NOLINT: implicit
+  std::size_t size() const { return count_; }
+  std::size_t dimensions() const { return dimensions_; }
+  std::size_t length() const { return length_; } ///< of a column
+  const double* column(std::size_t k) const { return values_.data() + k * length_; }
+
+ private:
+  std::size_t count_ = 0, dimensions_ = 0, length_ = 0;
+  std::vector<double> values_;
+};
+
 /// What variances need of all inputs at once; for those who ask at many places (remember()).
 struct Known;
 
@@ -35,7 +50,7 @@ struct Process {
 };
 
 /// What processes over the same inputs say at a place.
-std::vector<double> means(std::span<const Process>, const Inputs&, std::span<const double> at);
+std::vector<double> means(std::span<const Process>, const Columns&, std::span<const double> at);
 
 /// What the process says of each value when it is left out, the rest and the lengths as they are (closed
 /// form).
@@ -54,7 +69,7 @@ Process fit_process(const Inputs&, std::span<const double> values);
 
 /// Of the functions at a place, without the nugget. Of many inputs the nearest alone are asked, so they are a
 /// little too large.
-std::vector<double> variances(std::span<const Process>, const Inputs&, std::span<const double> at);
+std::vector<double> variances(std::span<const Process>, const Columns&, std::span<const double> at);
 
 /// From now on variances() takes a part of the time, with the same result, the less the nearer places follow
 /// each other. Wants the inputs as they stay, and one thread.

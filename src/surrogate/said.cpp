@@ -95,14 +95,14 @@ Said said_at(const Surrogate& s, const std::vector<double>& at, const CoarsePres
     const Layer& layer = s.layers[l];
     if (l > 0) said.scatter = scatter_of(s.knots, said.F);
     if (l > 0 || !loaded) {
-      add(said.F, values_at(layer.force, layer.inputs, at), said.scatter);
-      if (want != Want::force_and_work) add(said.a, values_at(layer.radius, layer.inputs, at));
+      add(said.F, values_at(layer.force, layer.columns, at), said.scatter);
+      if (want != Want::force_and_work) add(said.a, values_at(layer.radius, layer.columns, at));
       if (want == Want::variances)
-        add(said.F_variance, variances_at(layer.force, layer.inputs, at), said.scatter * said.scatter);
+        add(said.F_variance, variances_at(layer.force, layer.columns, at), said.scatter * said.scatter);
     }
     if (l > 0 || !unloaded) {
-      add(said.work, values_at(layer.work, layer.inputs, at), said.scatter);
-      if (want != Want::force_and_work) add(said.exponent, values_at(layer.exponent, layer.inputs, at));
+      add(said.work, values_at(layer.work, layer.columns, at), said.scatter);
+      if (want != Want::force_and_work) add(said.exponent, values_at(layer.exponent, layer.columns, at));
     }
   }
   return said;

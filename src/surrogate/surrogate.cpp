@@ -43,6 +43,7 @@ Layer fit_layer(const Surrogate& s, const Tables& tables, const std::vector<cons
     layer.inputs.dimensions = input.size();
     layer.inputs.values.insert(layer.inputs.values.end(), input.begin(), input.end());
   }
+  layer.columns = layer.inputs;
   for (const auto& [table, components] : {std::pair{&tables.force, &layer.force},
                                           {&tables.radius, &layer.radius},
                                           {&tables.work, &layer.work},

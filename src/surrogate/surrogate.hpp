@@ -24,7 +24,8 @@ namespace platen::surrogate {
 
 /// One sum of components for each quantity.
 struct Layer {
-  Inputs inputs; ///< in [0, 1]
+  Inputs inputs;   ///< in [0, 1]
+  Columns columns; ///< the same, made with them
   Components force, radius, work, exponent;
 };
 

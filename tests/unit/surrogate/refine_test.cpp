@@ -54,6 +54,7 @@ TEST(Refine, KnowsWhatAPressWillLeave) {
   auto& layer = s.layers[0];
   const auto at = input_of(s, all[refined.chosen[0]].coordinates);
   layer.inputs.values.insert(layer.inputs.values.end(), at.begin(), at.end());
+  layer.columns = layer.inputs;
   for (auto* components : {&layer.force, &layer.radius, &layer.work, &layer.exponent})
     for (auto& p : components->processes) p.weights.push_back(0); // whatever it says
   double largest = 0;
