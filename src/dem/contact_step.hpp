@@ -35,7 +35,7 @@ inline constexpr int memory_size = sizeof(Memory) / sizeof(double);
 PLATEN_HOT double damped(double damping, const Units& u, double stiffness, double F, double mass,
                          double v_n) {
   const double viscous = F - damping * std::sqrt(stiffness * u.length / u.force * mass) * v_n;
-  return law::detail::pick(F > 0, law::detail::pick(viscous > 0, viscous, 0), F);
+  return law::detail::pick(F > 0, law::detail::pick(viscous < 0, 0, viscous), F);
 }
 
 /// The tangential force after a step dt with relative velocity v_t: it follows the sliding with stiffness

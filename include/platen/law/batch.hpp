@@ -114,7 +114,9 @@ template <Want want, bool alike> PLATEN_HOT void look_up(Batch& b, int count, To
   const Cell* cells[Batch::size];
   for (int c = 0; c < count; ++c) {
     const TableView& t = alike ? first : *b.table[c];
-    cells[c] = t.cell(pick(tops.x_top[c] < 0, t.x_first, tops.x_top[c]));
+    if (tops.x_top[c] < 0) [[unlikely]]
+      continue; // a table may have no cells at all
+    cells[c] = t.cell(tops.x_top[c]);
   }
   for (int c = 0; c < count; ++c) {
     const TableView& t = alike ? first : *b.table[c];
@@ -169,9 +171,9 @@ PLATEN_HOT double power_of_part(double u, double y) {
   return core::detail::exp_within(pick(exponent < -700, -700, exponent));
 }
 
-/// How contacts unload: `own_shape` of table.hpp, several at a time; 1, rate of loading, 1, 1 at xi = 1.
+/// How contacts unload, several at a time: numbers over those where the loading curve is left (xi = 1).
 template <Shape shape, bool powers> struct Shaped {
-  double force, slope, radius, pressure; ///< over F, F, a, F/(pi a^2) at the top
+  double force, slope, radius, pressure; ///< over F, F, a, F/(pi a^2)
   PLATEN_HOT Shaped(const Tops& tops, int c, double xi, double rate, bool touching) {
     const double base = pick(touching, xi, 0);
     if constexpr (shape == Shape::power) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace platen::dem {
 namespace {
@@ -61,6 +62,11 @@ TEST(Damping, IsThatOfALinearSpringOfTheSameRatio) { // e = exp(-2 zeta A), also
     const double A = zeta < 1 ? std::acos(zeta) / r : std::acosh(zeta) / r;
     EXPECT_NEAR(2 * zeta * A / -std::log(e), 1, 1e-12) << e;
   }
+}
+
+TEST(Damping, HidesNoVelocityThatIsNoNumber) {
+  EXPECT_TRUE(std::isnan(damped(0.5, {}, 1e5, 1, 1e-6, std::numeric_limits<double>::quiet_NaN())));
+  EXPECT_EQ(damped(0.5, {}, 1e5, 0, 1e-6, std::numeric_limits<double>::quiet_NaN()), 0); // apart
 }
 
 } // namespace
