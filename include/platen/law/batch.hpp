@@ -191,7 +191,8 @@ template <Shape shape, bool powers> struct Shaped {
       slope = 4 / std::numbers::pi * radius * rate;
       pressure = force / pick(touching, root2, 1);
     } else {
-      const double u = pick(touching, tops.x[c] / tops.x_top[c], 1), p = power_of_part(u, tops.n[c]);
+      const double u = pick(touching, tops.x[c] / tops.x_top[c], 1);
+      const double p = powers ? power_of_part(u, tops.n[c]) : u * std::sqrt(u);
       const double rest = 1 - tops.lambda[c];
       force = pick(touching & (tops.lambda[c] < p), (p - tops.lambda[c]) / rest, 0);
       slope = pick(touching, tops.n[c] * p / (rest * pick(touching, tops.x[c], 1)), 0);
@@ -227,8 +228,12 @@ PLATEN_HOT void unload(Batch& b, int count, const Tops& tops) {
 }
 
 template <Want want, bool mixed> PLATEN_HOT void unload(Batch& b, int count, Tops& tops) {
+  bool powers = false; // some n is not 3/2
   if (tops.shapes & bit_of(Shape::difference))
-    for (int c = 0; c < count; ++c) tops.n[c] = b.table[c]->n, tops.lambda[c] = b.table[c]->lambda_p;
+    for (int c = 0; c < count; ++c) {
+      tops.n[c] = b.table[c]->n, tops.lambda[c] = b.table[c]->lambda_p;
+      powers |= tops.n[c] != 1.5;
+    }
   if constexpr (mixed)
     for (int c = 0; c < count; ++c) tops.shape[c] = static_cast<double>(b.table[c]->shape);
   if (tops.shapes & bit_of(Shape::power)) {
@@ -236,7 +241,10 @@ template <Want want, bool mixed> PLATEN_HOT void unload(Batch& b, int count, Top
     else unload<want, Shape::power, false, mixed>(b, count, tops);
   }
   if (tops.shapes & bit_of(Shape::indenter)) unload<want, Shape::indenter, false, mixed>(b, count, tops);
-  if (tops.shapes & bit_of(Shape::difference)) unload<want, Shape::difference, false, mixed>(b, count, tops);
+  if (tops.shapes & bit_of(Shape::difference)) {
+    if (powers) unload<want, Shape::difference, true, mixed>(b, count, tops);
+    else unload<want, Shape::difference, false, mixed>(b, count, tops);
+  }
 }
 
 inline void one_by_one(Batch& b, int c) {
