@@ -1,6 +1,6 @@
 #pragma once
-// Many contacts at once, as a DEM code has them: the numbers of `evaluate` (table.hpp) but for rounding, most
-// laws in two thirds of the time, hertz's force in more (bench/law_bench.cpp). A contact alone waits for its
+// Many contacts at once, as a DEM code has them: the numbers of `evaluate` (table.hpp) but for rounding, in a
+// half to nine tenths of the time, hertz's force in more (bench/law_bench.cpp). A contact alone waits for its
 // root, its quotients and its power, and for a wrong guess whether it loads; here the processor takes eight
 // or four together, and guesses nothing.
 //
