@@ -17,9 +17,27 @@ trap 'rm -rf "$out"' EXIT
 export OMP_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 
 card() { printf 'platen = 1\nlaw = "%s"\n\n[parameters]\n%s\n' "$1" "$2" >"$out/$1.toml"; }
-card edmans-sinka $'sigma_ref_Pa = 1e6\nE_Pa = 1e8\nnu = 0.3\nk = 6.4\ndelta_t = 0.12\na = 2.4'
-card agarwal $'E_Pa = 1e8\nnu = 0.3\nsigma_y_Pa = 1e6'
-card mdr $'E_Pa = 1e8\nnu = 0.3\nsigma_y_Pa = 1e6'
+elastic=$'E_Pa = 1e8\nnu = 0.3\n'
+card hertz "$elastic"
+card similarity "${elastic}kappa_Pa = 1e6"$'\ninverse_m = 0.3'
+card edmans-sinka "${elastic}sigma_ref_Pa = 1e6"$'\nk = 6.4\ndelta_t = 0.12\na = 2.4'
+card wang "${elastic}phi_deg = 25"$'\nsigma_c_Pa = 1e6'
+card agarwal "${elastic}sigma_y_Pa = 1e6"
+card shahin "${elastic}kappa_Pa = 1e6"$'\ninverse_m = 0.3'
+card thornton-ning "${elastic}p_y_Pa = 1.6e6"
+card kogut-etsion "${elastic}sigma_y_Pa = 1e6"
+card etsion-unloading "${elastic}sigma_y_Pa = 1e6"
+card jackson-green "${elastic}sigma_y_Pa = 1e6"
+card mdr "${elastic}sigma_y_Pa = 1e6"
+card luding $'k_1_N_per_m = 4e3\nk_2_N_per_m = 2e4\nphi_f = 0.1'
+card eepa "${elastic}lambda_p = 0.6"
+card pressed "${elastic}sigma_ref_Pa = 1e6
+delta_bar = [1e-4, 1e-3, 1e-2, 0.05, 0.1, 0.2, 0.35, 0.5]
+F_bar = [5e-5, 1.4e-3, 0.035, 0.22, 0.48, 1.1, 2.2, 4]
+a_bar = [0.009, 0.03, 0.13, 0.32, 0.46, 0.66, 0.85, 1]
+unload_delta_bar = [0.1, 0.3, 0.5]
+alpha = [1.4, 1.3, 1.25]
+beta = [1.2, 1.5, 1.7]"
 
 declare -A style=(
   [gran/hertz/history]='pair_style gran/hertz/history 7.3e7 NULL 0 NULL 0.3 0
@@ -27,12 +45,14 @@ pair_coeff * *'
   [granular]='pair_style granular
 pair_coeff * * hertz/material 1e8 0 0.3 tangential mindlin NULL 0 0.3 damping velocity'
 )
-laws=(edmans-sinka agarwal mdr)
+laws=(hertz similarity edmans-sinka wang agarwal shahin thornton-ning kogut-etsion etsion-unloading jackson-green mdr luding eepa
+  pressed)
 for law in "${laws[@]}"; do
   style[platen/$law]="include $plugin/platen.lmp
 pair_style platen
 pair_coeff * * $out/$law.toml friction 0.3"
 done
+style[platen/luding]=${style[platen/luding]/friction 0.3/} # knows no modulus, so no friction
 
 input() { # STYLE SPREAD SPACING: random velocities make contacts load, unload, slide
   cat <<TEXT
@@ -66,7 +86,7 @@ run 250
 run 250
 TEXT
 }
-speed=2 dt=4e-7
+speed=0.5 dt=4e-7
 
 measure() { # STYLE RANKS SPREAD SPACING: contacts, ns a contact and step in Pair, over all ranks
   input "$1" "$3" "$4" >"$out/in"
@@ -102,5 +122,5 @@ table() { # SPREAD SPACING
 echo 'equal radii'
 table 0 1.96e-3
 echo 'a radius of its own for each sphere'
-table 0.03 1.92e-3
+table 0.01 1.92e-3
 grep -o 'rank .*bound to.*' "$out/screen" # of the last run

@@ -57,7 +57,13 @@ PLATEN_HOT void find_laws(Block& b, const Units& u) {
     of.gamma_max[c] = b.memory[c]->gamma_max;
   }
   if (plain) [[likely]]
-    for (int c = 0; c < b.count; ++c) of.table[c] = b.laws[c]->table(t[c]);
+    for (int c = 0; c < b.count; ++c) {
+      Laws& laws = *b.laws[c];
+      of.table[c] = laws.table(t[c]);
+      if (laws.force_power == 2) continue;
+      of.force_scale[c] = laws.force_of(of.R_e[c]);
+      of.pressure_scale[c] = of.force_scale[c] / (of.R_e[c] * of.R_e[c]);
+    }
   else
     for (int c = 0; c < b.count; ++c) {
       const Laws::At here = b.laws[c]->at(b.R1[c], b.R2[c]);

@@ -59,7 +59,7 @@ Laws::Laws(Contact contact_, int index_, const Units& units)
     shear = eight_G(law.pair) * units.length / units.force;
     node_ = mirrored_ = {law.table};
     force_power = law.force_power;
-    plain_ = !contact.on_plane && !fixed && force_power == 2;
+    plain_ = !contact.on_plane && !fixed;
   } catch (const law::BadParameter& error) {
     const bool two = !contact.on_plane && !alike;
     throw InvalidInput(
@@ -100,7 +100,7 @@ Laws::At Laws::between(double R1, double R2) {
     if (!contact.on_plane) check_radius(*contact.two, R2 * length);
   }
   if (contact.on_plane) {
-    const double R = R1 * length, F = force_power == 2 ? R * R : std::pow(R, force_power);
+    const double R = R1 * length, F = force_of(R);
     at.table = node_[0].get();
     at.scale = {R, 1 / R, F, F * R, F / (R * R)};
     return at;
@@ -108,7 +108,7 @@ Laws::At Laws::between(double R1, double R2) {
   const double s = R1 + R2, t = (R1 - R2) / s;
   at.scale = scale_of(s * length, t);
   if (force_power != 2) {
-    const double R_e = at.scale.R_e, F = std::pow(R_e, force_power);
+    const double R_e = at.scale.R_e, F = force_of(R_e);
     at.scale.force = F, at.scale.work = F / at.scale.x_per_gamma, at.scale.pressure = F / (R_e * R_e);
   }
   at.table = table(t);

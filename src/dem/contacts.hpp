@@ -65,13 +65,16 @@ class Laws {
     law::Scale scale; ///< SI
   };
   PLATEN_HOT At at(double R1, double R2) {
-    if (!plain_) [[unlikely]]
+    if (!plain_ || force_power != 2) [[unlikely]]
       return between(R1, R2);
     const double s = R1 + R2, t = (R1 - R2) / s;
     return {table(t), scale_of(s * length, t)};
   }
-  /// Spheres of any radius, whose force goes with its square: `table` and `scale_of` say what `at` does.
+  /// Spheres of any radius: `table`, `scale_of` and `force_of` say what `at` does.
   [[nodiscard]] bool plain() const { return plain_; }
+  [[nodiscard]] PLATEN_HOT double force_of(double R_e) const {
+    return force_power == 2 ? R_e * R_e : force_power == 1 ? R_e : std::pow(R_e, force_power);
+  }
   /// Of spheres, t = (R1 - R2)/(R1 + R2).
   PLATEN_HOT const law::Table* table(double t) {
     const auto k = static_cast<std::size_t>(static_cast<int>((t < 0 ? -t : t) * last + 0.5));
@@ -91,6 +94,7 @@ class Laws {
   double shear = 0;   ///< 8 G*: tangential stiffness over contact radius (Mindlin) [force/length/m]
   double damping = 0; ///< c = damping sqrt(dF/dgamma m_eff) [-]
   double x_valid = law::infinity; ///< the cards hold up to here, delta/R
+  double force_power = 2;         ///< the force goes with R_e to this power
 
  private:
   using Tables = std::vector<std::shared_ptr<const law::Table>>;
@@ -99,7 +103,7 @@ class Laws {
   const law::Table* node(std::size_t k, bool first_is_larger);
   void check_radius(const fit::LawCard&, double R) const;
 
-  double length = 1, force_power = 2;
+  double length = 1;
   bool fixed = false; ///< a card is for one radius alone
   bool alike = false; ///< of one card, or a plane
   bool plain_ = false;

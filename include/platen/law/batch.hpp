@@ -191,13 +191,15 @@ template <Shape shape, bool powers> struct Shaped {
       slope = 4 / std::numbers::pi * radius * rate;
       pressure = force / pick(touching, root2, 1);
     } else {
-      const double u = pick(touching, tops.x[c] / tops.x_top[c], 1);
-      const double p = powers ? power_of_part(u, tops.n[c]) : u * std::sqrt(u);
-      const double rest = 1 - tops.lambda[c];
-      force = pick(touching & (tops.lambda[c] < p), (p - tops.lambda[c]) / rest, 0);
-      slope = pick(touching, tops.n[c] * p / (rest * pick(touching, tops.x[c], 1)), 0);
-      radius = pick(touching, std::sqrt(u), 0);
-      pressure = force / u;
+      const double x = pick(touching, tops.x[c], 1), x_top = pick(touching, tops.x_top[c], 1);
+      const double rest = 1 - tops.lambda[c], per = 1 / (rest * x_top), per_x = 1 / x; // quotients are dear
+      const double u = x * (rest * per), root = std::sqrt(u);
+      const double p = powers ? power_of_part(u, tops.n[c]) : u * root;
+      const bool bears = touching & (tops.lambda[c] < p);
+      force = pick(bears, (p - tops.lambda[c]) * (x_top * per), 0);
+      slope = pick(touching, tops.n[c] * p * (x_top * per) * per_x, 0);
+      radius = pick(touching, root, 0);
+      pressure = force * (x_top * per_x);
     }
   }
 };
