@@ -8,6 +8,7 @@ function(platen_add_c_interface)
   add_library(platen::law_c ALIAS platen_law_c)
   target_link_libraries(platen_law_c PRIVATE platen::law $<BUILD_INTERFACE:platen_flags>
                         INTERFACE $<$<LINK_LANGUAGE:C>:stdc++> $<$<LINK_LANGUAGE:C>:m>) # a C program may not enable C++
+  target_compile_options(platen_law_c PRIVATE -fno-math-errno) # roots of several numbers at once
   target_include_directories(platen_law_c PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
                                                  $<INSTALL_INTERFACE:include>)
   set_target_properties(platen_law_c PROPERTIES EXPORT_NAME law_c OUTPUT_NAME platen_law

@@ -43,7 +43,8 @@ const char* platen_law_state_name(const platen_law*, size_t i);
  * number, or bytes that no law left there, give a response that is none, and the state stays. */
 platen_law_response platen_law_evaluate(const platen_law*, void* state, double overlap_m);
 
-/* The same over n contacts, whose states lie one after the other; `stiffness_N_per_m` may be NULL. */
+/* The same but for rounding over n contacts, several at once, whose states lie one after the other;
+ * `stiffness_N_per_m` may be NULL. */
 void platen_law_evaluate_all(const platen_law*, size_t n, const double* overlap_m, void* states, double* force_N,
                              double* stiffness_N_per_m);
 

@@ -1,7 +1,9 @@
 #include "platen_law.h"
 
+#include "platen/law/batch.hpp"
 #include "platen/law/catalogue.hpp"
 
+#include <algorithm>
 #include <cstring>
 #include <exception>
 #include <type_traits>
@@ -31,6 +33,33 @@ platen::law::Response advance(const platen_law* law, void* state, double overlap
   const auto now = platen::law::evaluate(law->law, memory, overlap);
   std::memcpy(state, &now.state, sizeof memory);
   return now;
+}
+
+/// Contacts of one law as `advance` has them, but for rounding; `stiffness` may be none.
+template <platen::law::Want want>
+void advance_all(const platen_law* law, size_t n, const double* overlap, char* states, double* force,
+                 double* stiffness) {
+  using platen::law::Batch;
+  Batch batch;
+  for (int c = 0; c < Batch::size; ++c) batch.law(c, *law->law.table, law->law.scale);
+  while (n > 0) {
+    const int count = static_cast<int>(n < Batch::size ? n : Batch::size);
+    State memory;
+    for (int c = 0; c < count; ++c) {
+      std::memcpy(&memory, states + static_cast<size_t>(c) * sizeof memory, sizeof memory);
+      batch.overlap[c] = overlap[c], batch.gamma_max[c] = memory.gamma_max;
+    }
+    platen::law::evaluate<want>(batch, count);
+    for (int c = 0; c < count; ++c, states += sizeof memory) {
+      force[c] = batch.force[c];
+      if (stiffness) stiffness[c] = batch.stiffness[c];
+      if (batch.force[c] != batch.force[c]) continue;
+      memory = {std::min(overlap[c], batch.gamma_max[c]), batch.gamma_max[c]};
+      std::memcpy(states, &memory, sizeof memory);
+    }
+    n -= static_cast<size_t>(count), overlap += count, force += count;
+    if (stiffness) stiffness += count;
+  }
 }
 
 } // namespace
@@ -63,10 +92,7 @@ extern "C" platen_law_response platen_law_evaluate(const platen_law* law, void* 
 
 extern "C" void platen_law_evaluate_all(const platen_law* law, size_t n, const double* overlap_m,
                                         void* states, double* force_N, double* stiffness_N_per_m) {
-  char* state = static_cast<char*>(states);
-  for (size_t i = 0; i < n; ++i, state += sizeof(State)) {
-    const auto now = advance(law, state, overlap_m[i]);
-    force_N[i] = now.force;
-    if (stiffness_N_per_m) stiffness_N_per_m[i] = now.stiffness;
-  }
+  using platen::law::Want;
+  const auto advance = stiffness_N_per_m ? advance_all<Want::contact> : advance_all<Want::force>;
+  advance(law, n, overlap_m, static_cast<char*>(states), force_N, stiffness_N_per_m);
 }

@@ -55,10 +55,39 @@ TEST(CInterface, GivesWhatTheHeadersGive) {
       EXPECT_EQ(got.branch, static_cast<int>(want.branch));
       s = want.state;
     }
-    double overlap[2] = {1e-4, 2e-4}, force[2];
-    double states[4] = {};
-    platen_law_evaluate_all(law, 2, overlap, states, force, nullptr);
-    EXPECT_EQ(force[1], evaluate(same, State{}, 2e-4).force);
+    platen_law_free(law);
+  }
+}
+
+/// Contacts that load, unload, part, never touch, are no number or were never left so.
+TEST(CInterface, SaysOfManyContactsWhatItSaysOfEach) {
+  constexpr std::size_t n = 100;
+  for (const auto& [name, parameters] : examples) {
+    platen_law* law = platen_law_new(name, "", parameters, nullptr, 0);
+    ASSERT_NE(law, nullptr);
+    std::array<State, n> all{}, each{};
+    all[70] = each[70] = {0, -1e-5};
+    for (int turn = 0; turn < 4; ++turn) {
+      std::array<double, n> overlap, force, stiffness, force_alone;
+      for (std::size_t i = 0; i < n; ++i)
+        overlap[i] = i == 3 ? std::nan("") : 3e-4 * std::sin(static_cast<double>(i) + turn);
+      std::array<State, n> again = all;
+      platen_law_evaluate_all(law, n, overlap.data(), again.data(), force_alone.data(), nullptr);
+      platen_law_evaluate_all(law, n, overlap.data(), all.data(), force.data(), stiffness.data());
+      for (std::size_t i = 0; i < n; ++i) {
+        const auto want = platen_law_evaluate(law, &each[i], overlap[i]);
+        if (std::isnan(want.force_N)) {
+          EXPECT_TRUE(std::isnan(force[i]) && std::isnan(force_alone[i])) << name << ' ' << i;
+        } else {
+          EXPECT_NEAR(force[i], want.force_N, 1e-11 * want.force_N) << name << ' ' << i;
+          EXPECT_NEAR(force_alone[i], want.force_N, 1e-11 * want.force_N) << name << ' ' << i;
+          EXPECT_NEAR(stiffness[i], want.stiffness_N_per_m, 1e-10 * want.stiffness_N_per_m) << name;
+        }
+        EXPECT_EQ(all[i].gamma_max, each[i].gamma_max) << name << ' ' << i;
+        EXPECT_EQ(all[i].gamma, each[i].gamma) << name << ' ' << i;
+        EXPECT_EQ(again[i].gamma_max, each[i].gamma_max) << name << ' ' << i;
+      }
+    }
     platen_law_free(law);
   }
 }
