@@ -1,5 +1,6 @@
 #include "app/study_surrogate.hpp"
 
+#include "core/error.hpp"
 #include "core/file.hpp"
 #include "surrogate/words.hpp"
 
@@ -23,10 +24,13 @@ std::filesystem::path file_of(const Options& o, const char* name) {
 }
 
 void make_rock(const Options& o) {
+  if (!o.with.empty() || !o.coarse.empty())
+    throw core::InvalidInput(o.pool + ": grains of rock take neither --with nor --coarse");
   const auto rock = surrogate::rock_of_pool(o.pool);
   const auto file = file_of(o, "grains.csv");
   core::write_file(file, surrogate::text_of(rock));
   fmt::print("{}", words_of(rock, file.string()));
+  for (const auto& pool : o.beside) fmt::print("{}", words_beside(rock, surrogate::rock_of_pool(pool)));
 }
 
 void make(const Options& o) {

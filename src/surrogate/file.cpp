@@ -169,9 +169,7 @@ LeaveOneOut read_errors(Reader& in, std::string_view name) {
 }
 
 Layer read_layer(Reader& in, std::size_t dimensions, std::size_t knots, std::size_t unloadings) {
-  Layer layer;
-  layer.inputs = {dimensions, in.list("inputs")};
-  layer.columns = layer.inputs;
+  Layer layer({dimensions, in.list("inputs")});
   layer.force = read_components(in, "force", knots, layer.inputs);
   layer.radius = read_components(in, "radius", knots, layer.inputs);
   layer.work = read_components(in, "work", unloadings, layer.inputs);

@@ -70,10 +70,13 @@ Granules granules_of(const Surrogate& s, const PoolData& data) {
   return g;
 }
 
+double work_of_form(double alpha, double beta) { return -std::log(beta * (1 + alpha)); }
+
 /// Only what a method says; the rest is as it was pressed.
-Said pressed_said(const Pressed& run) {
-  return {logarithms(run.F_bar), std::vector<double>(run.F_bar.size(), 1), logarithms(run.a_bar),
-          works_of(run.alpha, run.beta), logarithms(run.alpha)};
+Said pressed_said(const PoolData& data, const Pressed& run) {
+  const auto ln_F = logarithms(run.F_bar);
+  return {ln_F, std::vector<double>(ln_F.size(), 1), logarithms(run.a_bar),
+          over_force(run.returned, data.unload_delta_bar, data.knots, ln_F), logarithms(run.alpha)};
 }
 
 Method method(std::string name, const Granules& g,
@@ -97,7 +100,7 @@ Method method(std::string name, const Granules& g,
 
 /// The force of (6) at the knots; it must not be negative.
 Said with_form(const Granules& g, std::size_t i, const Parameters& p) {
-  Said said = pressed_said(g.run(i));
+  Said said = pressed_said(g.data, g.run(i));
   for (std::size_t j = 0; j < said.F.size(); ++j) {
     const double x = g.data.knots[j], delta_t = std::max(p[1], 1e-6);
     said.F[j] = std::log(std::max(p[0], 1e-6)) +
@@ -188,7 +191,7 @@ void compare_loading(const Granules& g, const std::vector<Said>& by_surrogate, s
   methods.push_back(method("k, delta_t, a by stepwise regression", g, by(stepped)));
   methods.push_back(method("the form (6), fitted to each curve", g, by(fits)));
   methods.push_back(method("surrogate", g, [&](std::size_t i) {
-    Said said = pressed_said(g.run(i));
+    Said said = pressed_said(g.data, g.run(i));
     said.F = by_surrogate[i].F;
     return std::optional(said);
   }));
@@ -209,13 +212,13 @@ std::vector<std::optional<Said>> by_natural_neighbours(const Granules& g) {
     const auto shares = NaturalNeighbours(others).shares(g.inputs.row(i));
     said.emplace_back();
     if (shares.empty()) continue;
-    said.back() = pressed_said(g.run(i));
+    said.back() = pressed_said(g.data, g.run(i));
     for (const auto values : {&Said::F, &Said::work, &Said::exponent}) {
       auto& sum = (*said.back()).*values;
       std::fill(sum.begin(), sum.end(), 0);
     }
     for (const auto& [site, share] : shares) {
-      const Said there = pressed_said(g.run(which[site]));
+      const Said there = pressed_said(g.data, g.run(which[site]));
       for (const auto values : {&Said::F, &Said::work, &Said::exponent})
         for (std::size_t j = 0; j < (there.*values).size(); ++j)
           ((*said.back()).*values)[j] += share * (there.*values)[j];
@@ -254,17 +257,21 @@ void compare_unloading(const Granules& g, const std::vector<Said>& by_surrogate,
     out[k] = regression_left_out(some, y, groups);
   }
   methods.unloading.push_back(method("closed form over delta_bar, E_bar/Gamma_bar", g, [&](std::size_t i) {
-    Said said = pressed_said(g.run(i));
+    Said said = pressed_said(g.data, g.run(i));
     for (std::size_t b = 0; b < branches; ++b) {
       said.exponent[b] = out[0][branches * i + b];
-      said.work[b] = work_of(std::exp(said.exponent[b]), std::exp(out[1][branches * i + b]));
+      said.work[b] = work_of_form(std::exp(said.exponent[b]), std::exp(out[1][branches * i + b]));
     }
     return std::optional(said);
   }));
-  methods.unloading.push_back(method("the form (13), fitted to each branch", g,
-                                     [&](std::size_t i) { return pressed_said(g.run(i)); }));
+  methods.unloading.push_back(method("the form (13), fitted to each branch", g, [&](std::size_t i) {
+    Said said = pressed_said(g.data, g.run(i));
+    for (std::size_t b = 0; b < branches; ++b)
+      said.work[b] = work_of_form(g.run(i).alpha[b], g.run(i).beta[b]);
+    return std::optional(said);
+  }));
   methods.unloading.push_back(method("surrogate", g, [&](std::size_t i) {
-    Said said = pressed_said(g.run(i));
+    Said said = pressed_said(g.data, g.run(i));
     said.work = by_surrogate[i].work, said.exponent = by_surrogate[i].exponent;
     return std::optional(said);
   }));
@@ -285,7 +292,7 @@ Methods methods_side_by_side(const Surrogate& s, const PoolData& data) {
     return [&g, &neighbours, loading](std::size_t i) -> std::optional<Said> {
       if (!neighbours[i]) return {};
       Said said = *neighbours[i];
-      const Said truth = pressed_said(g.run(i));
+      const Said truth = pressed_said(g.data, g.run(i));
       if (loading) said.work = truth.work, said.exponent = truth.exponent;
       else said.F = truth.F;
       return said;

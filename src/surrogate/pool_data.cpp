@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace platen::surrogate {
 namespace {
@@ -34,8 +35,7 @@ Pressed pressed(const std::vector<std::vector<double>>& rows, std::vector<double
       run.F_bar.push_back(row[2]);
       run.a_bar.push_back(row[3]);
     } else {
-      branches[branch].delta_bar.insert(branches[branch].delta_bar.begin(), row[1]);
-      branches[branch].F_bar.insert(branches[branch].F_bar.begin(), row[2]);
+      branches[branch].push_front(row[1], row[2]);
     }
   }
   for (auto& [id, branch] : branches) run.branches.push_back(std::move(branch));
@@ -49,6 +49,33 @@ bool ends_early(const PressedBranch& branch) {
 }
 
 } // namespace
+
+double hertz_overlap(double F_bar, const Description& d) {
+  return std::pow(0.75 * std::numbers::pi * F_bar / d.E_flat, 2.0 / 3);
+}
+
+double work_along(const PressedBranch& branch) {
+  double work = 0;
+  for (std::size_t i = 1; i < branch.delta_bar.size(); ++i)
+    work += (branch.delta_bar[i] - branch.delta_bar[i - 1]) * (branch.F_bar[i] + branch.F_bar[i - 1]) / 2;
+  return work;
+}
+
+double returned_of(const PressedBranch& branch, const Description& d) {
+  return std::log(work_along(branch) / hertz_overlap(1, d));
+}
+
+std::vector<double> over_force(std::vector<double> returned, const std::vector<double>& unload_delta_bar,
+                               const std::vector<double>& knots, const std::vector<double>& ln_F) {
+  for (std::size_t b = 0; b < returned.size(); ++b)
+    returned[b] -= 5.0 / 3 * ln_F[knot_of(knots, unload_delta_bar[b])];
+  return returned;
+}
+
+std::size_t knot_of(const std::vector<double>& knots, double delta_bar) {
+  return static_cast<std::size_t>(std::lower_bound(knots.begin(), knots.end(), delta_bar - 1e-9) -
+                                  knots.begin());
+}
 
 PoolData read_pool_data(const fs::path& folder, Take take) {
   const auto pool = study::read_pool(folder);
@@ -105,6 +132,7 @@ PoolData read_pool_data(const fs::path& folder, Take take) {
       ++data.locked;
       continue;
     }
+    for (const auto& branch : run.branches) run.returned.push_back(returned_of(branch, run.description));
     data.runs.push_back(std::move(run));
   }
   constexpr std::size_t fewest = 5;

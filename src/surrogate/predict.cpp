@@ -9,8 +9,8 @@
 namespace platen::surrogate {
 
 bool grows(double times, const std::vector<double>& knots, const std::vector<double>& F_bar) {
-  const auto from = std::lower_bound(knots.begin(), knots.end(), 0.3 - 1e-9);
-  return from != knots.end() && F_bar.back() > times * F_bar[static_cast<std::size_t>(from - knots.begin())];
+  const std::size_t from = knot_of(knots, 0.3);
+  return from < knots.size() && F_bar.back() > times * F_bar[from];
 }
 
 std::vector<double> input_of(const Surrogate& s, const std::vector<double>& coordinates) {

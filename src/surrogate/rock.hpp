@@ -76,6 +76,9 @@ class RockInterpolation {
 /// Of predicted coefficients, by grain; none where a grain could not be predicted.
 RockErrors errors_of(const Rock&, const std::vector<std::optional<Coefficients>>&);
 
+/// Of grains that the rock is not made of. InvalidInput where they were pressed otherwise.
+RockErrors errors_beside(const Rock&, const Rock& other);
+
 /// What natural neighbours say of each grain from the others; none of those at the corners.
 std::vector<std::optional<Coefficients>> left_out_by_neighbours(
     const Rock&, RockInterpolation::CoordinatesOf = coordinates_of);

@@ -60,6 +60,16 @@ RockErrors errors_of(const Rock& rock, const std::vector<std::optional<Coefficie
   return errors;
 }
 
+RockErrors errors_beside(const Rock& rock, const Rock& other) {
+  if (rock.engine != other.engine || rock.radius_m != other.radius_m || rock.force_N != other.force_N)
+    throw core::InvalidInput(
+        fmt::format("pools {} and {} differ in engine, radius or largest force", rock.pool, other.pool));
+  const RockInterpolation interpolation(rock);
+  std::vector<std::optional<Coefficients>> said;
+  for (const Grain& g : other.grains) said.push_back(interpolation.at(g));
+  return errors_of(other, said);
+}
+
 std::vector<std::optional<Coefficients>> left_out_by_neighbours(
     const Rock& rock, RockInterpolation::CoordinatesOf coordinates) {
   std::vector<std::optional<Coefficients>> said;

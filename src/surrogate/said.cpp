@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace platen::surrogate {
 namespace {
@@ -19,10 +18,6 @@ double relative_l2(const std::vector<double>& x, const std::vector<double>& trut
   return fit::errors({x, truth, fit::trapezoid_weights(x, 0)}, said).relative_l2;
 }
 
-double hertz_overlap(double F_bar, const Description& d) {
-  return std::pow(0.75 * std::numbers::pi * F_bar / d.E_flat, 2.0 / 3); // ES (12)
-}
-
 /// Of the unloading (9)-(14) of Edmans & Sinka, one side: overlap given back, and work over pi R0^3
 /// sigma_ref.
 struct Unloading {
@@ -33,13 +28,6 @@ Unloading unloading(double F_bar, double alpha, double beta, double delta_bar, c
   return {returned, F_bar * returned / (alpha + 1)};
 }
 
-double work_along(const PressedBranch& branch) {
-  double work = 0;
-  for (std::size_t i = 1; i < branch.delta_bar.size(); ++i)
-    work += (branch.delta_bar[i] - branch.delta_bar[i - 1]) * (branch.F_bar[i] + branch.F_bar[i - 1]) / 2;
-  return work;
-}
-
 } // namespace
 
 void add(std::vector<double>& sum, const std::vector<double>& more, double factor) {
@@ -48,18 +36,10 @@ void add(std::vector<double>& sum, const std::vector<double>& more, double facto
 }
 
 double scatter_of(const std::vector<double>& knots, const std::vector<double>& ln_F) {
-  const auto from = std::lower_bound(knots.begin(), knots.end(), 0.3 - 1e-9) - knots.begin();
-  if (from == std::ssize(knots)) return 1;
-  const double growth = std::exp(ln_F.back() - ln_F[static_cast<std::size_t>(from)]);
+  const std::size_t from = knot_of(knots, 0.3);
+  if (from == knots.size()) return 1;
+  const double growth = std::exp(ln_F.back() - ln_F[from]);
   return std::clamp(std::pow(growth / 1.6, 1.5), 1.0, 8.0);
-}
-
-double work_of(double alpha, double beta) { return -std::log(beta * (1 + alpha)); }
-
-std::vector<double> works_of(const std::vector<double>& alpha, const std::vector<double>& beta) {
-  std::vector<double> works;
-  for (std::size_t b = 0; b < alpha.size(); ++b) works.push_back(work_of(alpha[b], beta[b]));
-  return works;
 }
 
 AlphaBeta alpha_beta(const std::vector<double>& work, const std::vector<double>& exponent) {
@@ -87,7 +67,7 @@ Said said_at(const Surrogate& s, const std::vector<double>& at, const CoarsePres
   if (guide) {
     said.F = without_ripples(s.knots, logarithms(guide->F_bar));
     said.a = without_ripples(s.knots, logarithms(guide->a_bar));
-    said.work = works_of(guide->alpha, guide->beta);
+    said.work = over_force(guide->returned, s.unload_delta_bar, s.knots, said.F);
     said.exponent = logarithms(guide->alpha);
   }
   const bool loaded = guide, unloaded = !said.work.empty();
@@ -130,9 +110,7 @@ Errors errors_of(const PoolData& data, const Pressed& run, const Said& said) {
   const auto [alpha, beta] = alpha_beta(said.work, said.exponent);
   for (std::size_t b = 0; b < branches; ++b) {
     const double at = data.unload_delta_bar[b];
-    const auto knot = std::lower_bound(data.knots.begin(), data.knots.end(), at - 1e-9) - data.knots.begin();
-    const auto back =
-        unloading(F_bar[static_cast<std::size_t>(knot)], alpha[b], beta[b], at, run.description);
+    const auto back = unloading(F_bar[knot_of(data.knots, at)], alpha[b], beta[b], at, run.description);
     e.work.push_back(std::abs(back.work / work_along(run.branches[b]) - 1));
     e.residual.push_back(std::abs(at - back.returned - run.residual[b]) / at);
   }

@@ -10,7 +10,7 @@ namespace platen::surrogate {
 /// Logarithms, as the components hold them.
 struct Said {
   std::vector<double> F, F_variance, a;
-  std::vector<double> work, exponent; ///< of each unloading: works_of(), ln alpha
+  std::vector<double> work, exponent; ///< of each unloading: over_force(), ln alpha
   double scatter = 1;                 ///< of what changes from coarse to fine: scatter_of()
 };
 
@@ -23,12 +23,7 @@ double scatter_of(const std::vector<double>& knots, const std::vector<double>& l
 /// Adds to a sum, which may be empty still.
 void add(std::vector<double>& sum, const std::vector<double>& more, double factor = 1);
 
-/// Logarithm of the work that an unloading gives back, over its largest force and the overlap at which
-/// Hertz carries that: 1/(beta (1 + alpha)). What is interpolated: fits of alpha and beta lean on each other,
-/// and where they are off together the work is not.
-double work_of(double alpha, double beta);
-std::vector<double> works_of(const std::vector<double>& alpha, const std::vector<double>& beta);
-/// alpha and beta of it.
+/// alpha and beta whose work is that, 1/(beta (1 + alpha)).
 struct AlphaBeta {
   std::vector<double> alpha, beta;
 };

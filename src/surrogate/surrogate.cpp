@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace platen::surrogate {
 namespace {
@@ -37,13 +38,13 @@ void add_ranges(Surrogate& s, const PoolData& data) {
 }
 
 Layer fit_layer(const Surrogate& s, const Tables& tables, const std::vector<const Pressed*>& runs) {
-  Layer layer;
+  Inputs inputs;
   for (const auto* run : runs) {
     const auto input = input_of(s, run->description.coordinates);
-    layer.inputs.dimensions = input.size();
-    layer.inputs.values.insert(layer.inputs.values.end(), input.begin(), input.end());
+    inputs.dimensions = input.size();
+    inputs.values.insert(inputs.values.end(), input.begin(), input.end());
   }
-  layer.columns = layer.inputs;
+  Layer layer(std::move(inputs));
   for (const auto& [table, components] : {std::pair{&tables.force, &layer.force},
                                           {&tables.radius, &layer.radius},
                                           {&tables.work, &layer.work},
@@ -125,11 +126,14 @@ CoarsePress press_guide(const Surrogate& s, const material::Material& material) 
   const auto result = press::press({material, 1e-3, simple});
   if (result.out_of_memory) throw core::IoError(*result.failure);
   CoarsePress said;
+  std::map<int, PressedBranch> branches;
   for (const auto& point : study::on_grid(result.curve, 0.01)) { // as the pools have it
-    if (said.F_bar.size() == s.knots.size()) break;
-    if (point.branch_id != 0 || std::abs(point.delta_bar - s.knots[said.F_bar.size()]) > 1e-9) continue;
-    said.F_bar.push_back(point.z.F_bar);
-    said.a_bar.push_back(point.z.a_bar);
+    if (point.branch_id != 0) branches[point.branch_id].push_front(point.delta_bar, point.z.F_bar);
+    else if (said.F_bar.size() < s.knots.size() &&
+             std::abs(point.delta_bar - s.knots[said.F_bar.size()]) <= 1e-9) {
+      said.F_bar.push_back(point.z.F_bar);
+      said.a_bar.push_back(point.z.a_bar);
+    }
   }
   if (said.F_bar.size() < s.knots.size())
     throw core::ConvergenceError(
@@ -140,8 +144,12 @@ CoarsePress press_guide(const Surrogate& s, const material::Material& material) 
   const auto fits = fit::fit_unloading(result.curve).fits;
   const bool all = fits.size() == s.unload_delta_bar.size() &&
                    std::ranges::none_of(fits, [&](const auto& one) { return ends_early(result.curve, one); });
+  const auto description = describe(material.model);
   for (const auto& one : fits)
-    if (all) said.alpha.push_back(one.alpha), said.beta.push_back(one.beta);
+    if (all) {
+      said.alpha.push_back(one.alpha);
+      said.returned.push_back(returned_of(branches.at(one.branch_id), description));
+    }
   return said;
 }
 

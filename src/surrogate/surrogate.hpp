@@ -18,21 +18,25 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace platen::surrogate {
 
 /// One sum of components for each quantity.
 struct Layer {
-  Inputs inputs;   ///< in [0, 1]
-  Columns columns; ///< the same, made with them
+  explicit Layer(Inputs in) : inputs(std::move(in)), columns(inputs) {}
+
+  Inputs inputs;   ///< in [0, 1]; they stay
+  Columns columns; ///< the same
   Components force, radius, work, exponent;
 };
 
 /// What a press on the coarse mesh says of a material.
 struct CoarsePress {
-  std::vector<double> F_bar, a_bar; ///< at the knots
-  std::vector<double> alpha, beta;  ///< of the unloadings; none where one ends early or cannot be fitted
+  std::vector<double> F_bar, a_bar;    ///< at the knots
+  std::vector<double> returned, alpha; ///< of the unloadings: returned_of(); none where one ends early or
+                                       ///< cannot be fitted
 };
 
 /// Relative errors of the pool's materials, each predicted without itself: of five in a hundred larger, and

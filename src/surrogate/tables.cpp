@@ -27,10 +27,12 @@ Tables tables_of(const PoolData& data) {
                 logarithms(data, &Pressed::a_bar),
                 {},
                 logarithms(data, &Pressed::alpha)};
-  for (const auto& run : data.runs) tables.work.push_back(works_of(run.alpha, run.beta));
   if (data.elements < ripple_free_elements)
     for (const auto table : {&Tables::force, &Tables::radius})
       for (auto& row : tables.*table) row = without_ripples(data.knots, row);
+  for (std::size_t i = 0; i < data.runs.size(); ++i)
+    tables.work.push_back(
+        over_force(data.runs[i].returned, data.unload_delta_bar, data.knots, tables.force[i]));
   return tables;
 }
 

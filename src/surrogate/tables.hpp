@@ -8,7 +8,7 @@
 
 namespace platen::surrogate {
 
-/// A row a run: ln F_bar, ln a_bar at the knots, without ripples; of each unloading what works_of() says, and
+/// A row a run: ln F_bar, ln a_bar at the knots, without ripples; of each unloading over_force() and
 /// ln alpha.
 struct Tables {
   Table force, radius, work, exponent;

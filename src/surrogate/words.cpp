@@ -26,6 +26,13 @@ std::string errors(const std::string& whose, const LeaveOneOut& e) {
   return text + "\n";
 }
 
+std::string errors(const std::string& whose, const RockErrors& e) {
+  std::string text = title(whose);
+  for (std::size_t k = 0; k < 4; ++k) text += row(coefficient_names[k], e.of[k]);
+  return text + row("force over the loading, relative L2", e.force) +
+         row("work given back in unloading", e.work);
+}
+
 std::string band(double deviations) {
   return fmt::format("  the 90 % band is {:.2f} standard deviations wide to either side\n", deviations);
 }
@@ -72,12 +79,13 @@ std::string words_of(const Surrogate& s, const std::string& file, const Pools* p
 }
 
 std::string words_of(const Rock& rock, const std::string& file) {
-  const auto& e = rock.left_out;
-  std::string text = fmt::format("{}: {} grains: {}\n", rock.pool, rock.grains.size(), file) +
-                     title(fmt::format("{} of them left out one by one", e.materials));
-  for (std::size_t k = 0; k < 4; ++k) text += row(coefficient_names[k], e.of[k]);
-  return text + row("force over the loading, relative L2", e.force) +
-         row("work given back in unloading", e.work);
+  return fmt::format("{}: {} grains: {}\n", rock.pool, rock.grains.size(), file) +
+         errors(fmt::format("{} of them left out one by one", rock.left_out.materials), rock.left_out);
+}
+
+std::string words_beside(const Rock& rock, const Rock& other) {
+  const auto e = errors_beside(rock, other);
+  return errors(fmt::format("{} of {} grains of {}", e.materials, other.grains.size(), other.pool), e);
 }
 
 std::string words_beside(const Surrogate& s, const PoolData& other) {

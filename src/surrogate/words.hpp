@@ -14,6 +14,7 @@ namespace platen::surrogate {
 /// they are at hand; they say what was left aside.
 std::string words_of(const Surrogate&, const std::string& file, const Pools* pools = nullptr);
 std::string words_of(const Rock&, const std::string& file);
+std::string words_beside(const Rock&, const Rock& other);
 
 /// How well it says what a pool that it is not made of pressed.
 std::string words_beside(const Surrogate&, const PoolData& other);

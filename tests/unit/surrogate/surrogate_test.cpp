@@ -32,6 +32,7 @@ Pressed metal(double E_bar, double factor, const PoolData& data) {
     run.residual.push_back(at - returned);
     run.branches.push_back(
         {{at - returned, at}, {0, 2 * F / (run.alpha.back() + 1)}}); // the work of the power law
+    run.returned.push_back(returned_of(run.branches.back(), run.description));
   }
   return run;
 }

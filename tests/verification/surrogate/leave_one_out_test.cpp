@@ -81,8 +81,8 @@ TEST(LeaveOneOut, OfPowders) {
   EXPECT_LT(guided.force.median, 0.005);
   EXPECT_LT(guided.force.p95, 0.02);
   EXPECT_LT(guided.radius.p95, 0.01);
-  EXPECT_LT(guided.work.median, 0.01);
-  EXPECT_LT(guided.work.p95, 0.045);
+  EXPECT_LT(guided.work.median, 0.008);
+  EXPECT_LT(guided.work.p95, 0.04);
   EXPECT_LT(guided.residual.p95, 0.01);
   expect_same(guided, s.guide->left_out);
 }
@@ -119,6 +119,18 @@ TEST(Surrogate, SaysFreshGranulesAndMetals) {
   EXPECT_LT(metals.force.median, 0.0015);
   EXPECT_LT(metals.force.p95, 0.003);
   EXPECT_GT(metals.coverage, 0.85);
+  const auto hardening = beside("metals", "fresh-metals");
+  ASSERT_EQ(hardening.materials, 30);
+  EXPECT_LT(hardening.force.median, 0.002);
+  EXPECT_LT(hardening.force.worst, 0.007);
+  EXPECT_LT(hardening.radius.worst, 0.007);
+  EXPECT_LT(hardening.work.p95, 0.015);
+  EXPECT_GT(hardening.coverage, 0.85);
+  const auto elastic = beside("elastic", "fresh-elastic");
+  ASSERT_EQ(elastic.materials, 30);
+  EXPECT_LT(elastic.force.worst, 0.001);
+  EXPECT_LT(elastic.radius.worst, 0.004);
+  EXPECT_LT(elastic.work.worst, 0.015);
 }
 
 // Drawn at random from the same box, by another seed. Each third is pressed coarsely; all of them: the slow

@@ -50,6 +50,23 @@ TEST(Rock, IsPredictedNotWorseThanTable4) {
   }
 }
 
+// Thirty grains at random from the ranges of the 162.
+TEST(Rock, SaysFreshGrains) {
+  const auto e = errors_beside(shipped(), rock_of_pool(catalogue / "pools/fresh-wang"));
+  ASSERT_EQ(e.materials, 30);
+  EXPECT_LT(e.of[2].p95, 0.025); // m
+  EXPECT_LT(e.of[3].worst, 0.01);
+  EXPECT_LT(e.force.median, 0.0005);
+  EXPECT_LT(e.force.worst, 0.01);
+  EXPECT_LT(e.work.worst, 0.012);
+}
+
+TEST(Rock, RefusesGrainsPressedOtherwise) {
+  Rock other = shipped();
+  other.force_N *= 2;
+  EXPECT_THROW(errors_beside(shipped(), other), core::InvalidInput);
+}
+
 TEST(Rock, IsMadeAgainFromItsPool) {
   const Rock again = rock_of_pool(catalogue / "pools/wang"), file = shipped();
   EXPECT_EQ(text_of(again), text_of(file));
