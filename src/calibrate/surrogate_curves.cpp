@@ -14,8 +14,8 @@ namespace {
 
 using namespace surrogate;
 
-/// Refused: a number beyond those of the pool, by more than rounding; another Poisson's ratio of a metal is
-/// judged at the end.
+/// Refused: a number beyond those of the pool, by more than rounding; one that all of them share is judged at
+/// the end.
 void check_inside(const Surrogate& s, const Description& d) {
   for (std::size_t k = 0; k < s.ranges.size(); ++k) {
     const auto& [key, low, high] = s.ranges[k];
@@ -57,7 +57,7 @@ Curves surrogate_curves(const material::Material& typical) {
     constexpr double nominal = 1.645; // half the 90 % band of a normal distribution
     const double wider = s->band / nominal;
     std::vector<law::PressedMaterial> ways;
-    auto rest = said_of(*s, d, nullptr).F_variance; // what no component holds: another Poisson's ratio
+    auto rest = said_of(*s, d, nullptr).F_variance; // in the end of what no component holds
     for (double& variance : rest) variance *= wider * wider;
     for (const auto& layer : s->layers) {
       const double scatter = &layer == &s->layers.front() ? 1 : best.scatter;

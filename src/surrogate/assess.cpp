@@ -11,10 +11,6 @@ namespace {
 constexpr double certain = 0.03, usable = 0.1; ///< expected relative errors of a curve: inside, near the edge
 constexpr double least_reach = 0.1;            ///< delta/R0 to which a law near the edge must reach
 
-/// Metals were pressed at one Poisson's ratio; at others their curves over E/(1 - nu^2) differ by as much as
-/// docs/explanation/predict.md says, up to here.
-constexpr double metal_nu_most = 0.45;
-
 std::string per_cent(double share) { return fmt::format("{:.2g} %", 100 * share); }
 
 void note(Assessment& a, Verdict verdict, std::string reason) {
@@ -38,9 +34,6 @@ Assessment assess(const Surrogate& s, const Description& d, const Prediction& p)
     a.in_ranges = false;
     if (high - low > slack)
       note(a, Verdict::outside, fmt::format("{} = {:.6g} is not in {:.6g} to {:.6g}", key, value, low, high));
-    else if (s.model == "von-mises" && key == "nu" && value <= metal_nu_most)
-      note(a, Verdict::near_the_edge,
-           fmt::format("nu = {:.4g}, where all were pressed with {:.4g}", value, low));
     else note(a, Verdict::outside, fmt::format("{} = {:.6g}, where all have {:.6g}", key, value, low));
   }
   a.knots = s.knots.size();

@@ -21,8 +21,7 @@ struct Assessment {
 
 /// Outside: a number beyond those of the pool, or other than the one that all of them have; a curve that
 /// locks. Inside: a curve expected to be less than 3 % off. Near the edge: others, up to the knot where it is
-/// expected to be a tenth off, unless that is below delta/R0 = 0.1: then outside; and metals of another
-/// Poisson's ratio, which count by E/(1 - nu^2).
+/// expected to be a tenth off, unless that is below delta/R0 = 0.1: then outside.
 Assessment assess(const Surrogate&, const Description&, const Prediction&);
 
 /// The runs of the pool that weigh most: nearest first, distances in the lengths of the first component of

@@ -20,7 +20,7 @@ Description of(const material::VonMises& m) {
   const double sigma = material::initial_yield_stress(m.hardening, m.E, m.sigma_y), E_bar = m.E / sigma;
   const double E_flat = flat(E_bar, m.nu);
   if (std::holds_alternative<material::PerfectlyPlastic>(m.hardening))
-    return {"von-mises", {{"E_bar", E_bar, true}, {"nu", m.nu}}, {std::log(E_flat)}, sigma, E_flat};
+    return {"von-mises", {{"E_bar", E_bar, true}, {"nu", m.nu}}, {std::log(E_flat), m.nu}, sigma, E_flat};
   const auto grown = [&](double strain) {
     return material::yield_stress(m.hardening, m.E, m.sigma_y, strain).value / sigma;
   };

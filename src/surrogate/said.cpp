@@ -9,10 +9,6 @@
 namespace platen::surrogate {
 namespace {
 
-/// How far metals of the same E/((1 - nu^2) sigma_y) differ in force by their Poisson's ratios, one standard
-/// deviation: 0.6 % for 0.2, 2.1 % for 0, where 0.3 is predicted (catalogue/pools/von-mises-nu).
-constexpr double per_nu = 0.07;
-
 double relative_l2(const std::vector<double>& x, const std::vector<double>& truth,
                    const std::vector<double>& said) {
   return fit::errors({x, truth, fit::trapezoid_weights(x, 0)}, said).relative_l2;
@@ -89,12 +85,7 @@ Said said_at(const Surrogate& s, const std::vector<double>& at, const CoarsePres
 }
 
 Said said_of(const Surrogate& s, const Description& d, const CoarsePress* guide) {
-  Said said = said_at(s, input_of(s, d.coordinates), guide, Want::variances);
-  if (s.model == "von-mises") {
-    const double off = per_nu * (d.numbers[1].value - s.ranges[1].low);
-    for (double& variance : said.F_variance) variance += off * off;
-  }
-  return said;
+  return said_at(s, input_of(s, d.coordinates), guide, Want::variances);
 }
 
 Errors errors_of(const PoolData& data, const Pressed& run, const Said& said) {

@@ -146,7 +146,7 @@ TEST(Surrogate, SaysWhenAMaterialIsOutside) {
   };
   EXPECT_EQ(judged(100, 0.3).verdict, Verdict::inside);
   EXPECT_EQ(judged(20, 0.3).verdict, Verdict::inside);
-  EXPECT_EQ(judged(100, 0.2).verdict, Verdict::near_the_edge);
+  EXPECT_EQ(judged(100, 0.2).verdict, Verdict::outside);
   EXPECT_EQ(judged(100, 0.48).verdict, Verdict::outside);
   const auto beyond = judged(3000, 0.3);
   EXPECT_EQ(beyond.verdict, Verdict::outside);
