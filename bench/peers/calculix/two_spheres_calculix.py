@@ -19,13 +19,15 @@ p.add_argument("--radius", type=float, nargs=2, default=[1, 1])
 p.add_argument("--E", type=float, nargs=2, default=[100, 100])
 p.add_argument("--nu", type=float, default=0.3)
 p.add_argument("--columns", type=int, default=32, help="edges from the pole to 60 degrees")
-p.add_argument("--step", type=float, default=0.002, help="largest increment of the approach")
+p.add_argument("--grading", type=float, default=3, help="last of them over the first")
+p.add_argument("--step", type=float, default=0.015, help="largest increment of the approach, of the approach so far")
+p.add_argument("--step-most", type=float, default=0.002, help="and in first radii")
 p.add_argument("--until", type=float, default=0.4)
 p.add_argument("--stiffness", type=float, default=5e4, help="pressure per penetration")
 p.add_argument("--slave", type=int, choices=[1, 2], default=1, help="the sphere that takes part as slave surface")
 p.add_argument("--folder", default="out")
 a = p.parse_args()
-AT = [0.04, 0.06, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8]
+AT = [0.01, 0.02, 0.03, 0.04, 0.06, 0.08, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8]
 at = [x for x in AT if x <= a.until + 1e-9]
 
 
@@ -42,7 +44,7 @@ def quarter_disc(columns):
     arc = lambda t: (math.sin(t), math.cos(t))
     line = lambda p, q: lambda t: ((1 - t) * p[0] + t * q[0], (1 - t) * p[1] + t * q[1])
     O, A, B, C, D, E, P = (0, 0), (0, .45), (.36, .3), (.45, 0), arc(split), (1, 0), (0, 1)
-    s1, s2, sr = graded(columns, 3), graded(max(12, columns // 4), 1), graded(columns // 2, 0.18)
+    s1, s2, sr = graded(columns, a.grading), graded(max(12, columns // 4), 1), graded(columns // 2, 0.18)
     patches = [(line(O, C), line(A, B), line(O, A), line(C, B), s1, s2),
                (line(A, B), lambda u: arc(split * u), line(A, P), line(B, D), s1, sr),
                (line(B, C), lambda u: arc(split + (math.pi / 2 - split) * u), line(B, D), line(C, E), s2, sr)]
@@ -94,15 +96,17 @@ for side in (0, 1):
 for side in (1, 2): deck += f"*SOLID SECTION, ELSET=SPHERE{side}, MATERIAL=M{side}\n"
 deck += f"*SURFACE INTERACTION, NAME=TOUCH\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{a.stiffness}\n"
 deck += f"*CONTACT PAIR, INTERACTION=TOUCH, TYPE=SURFACE TO SURFACE\nOUTSIDE{a.slave}, OUTSIDE{3 - a.slave}\n"
-deck += "*BOUNDARY\nAXIS1, 1, 1\nAXIS2, 1, 1\nEQUATOR2, 2, 2\n*TIME POINTS, NAME=COMPARED\n" + "".join(f"{x / at[-1]:.10g},\n" for x in at)
-deck += f"*STEP, NLGEOM, INC=100000\n*STATIC\n{a.step / at[-1] / 5:.6g}, 1., 1e-7, {a.step / at[-1]:.6g}\n*BOUNDARY\nEQUATOR1, 2, 2, {at[-1]}\n"
-deck += "*NODE PRINT, NSET=EQUATOR1, TOTALS=ONLY, TIME POINTS=COMPARED\nRF\n*END STEP\n"
+deck += "*BOUNDARY\nAXIS1, 1, 1\nAXIS2, 1, 1\nEQUATOR2, 2, 2\n"
+for begin, end in zip([0] + at, at): # the return mapping errs with the increment, so that grows with the approach
+    most = min(a.step * (begin or 2 * end), a.step_most) / (end - begin)
+    deck += f"*STEP, NLGEOM, INC=100000\n*STATIC\n{most / 5:.6g}, 1., 1e-7, {most:.6g}\n*BOUNDARY\nEQUATOR1, 2, 2, {end}\n"
+    deck += "*NODE PRINT, NSET=EQUATOR1, TOTALS=ONLY, FREQUENCY=100000\nRF\n*END STEP\n"
 os.makedirs(a.folder, exist_ok=True)
 with open(f"{a.folder}/press.inp", "w") as file: file.write(deck)
 print(f"# {2 * M} CAX4, sigma_y {a.sigma}, radius {a.radius}, E {a.E}, steps {a.step}", flush=True)
 subprocess.run("OMP_NUM_THREADS=1 ccx -i press > ccx.log 2>&1 < /dev/null", shell=True, cwd=a.folder)
 print("gamma,F_bar")
 with open(f"{a.folder}/press.dat") as file: text = file.read()
-for time, force in re.findall(r"total force.*and time\s+(\S+)\s+\S+\s+(\S+)", text):
+for end, force in zip(at, re.findall(r"total force.*and time\s+\S+\s+\S+\s+(\S+)", text)):
     # CalculiX makes a sector of 2 degrees.
-    print(f"{float(time) * at[-1]:.5f},{180 * float(force) / math.pi:.6f}")
+    print(f"{end:.5f},{180 * float(force) / math.pi:.6f}")

@@ -104,71 +104,85 @@ double by_hand(const Unlike& u, double gamma) {
 
 const Metal soft{100, 1}, bit_harder{100, 1.3}, twice{100, 2}, five{100, 5}, stiff{500, 1}, hard{1e4, 100};
 
-/// Both spheres in CalculiX 2.20: 1,440 CAX4, --columns 24 --step 0.002. Half the step on 2,176 elements
-/// changes the forces by 3 % at most up to gamma = 0.1, by 0.5 % from 0.15 on; the other slave surface by 0.5
-/// %.
+/// Both spheres in CalculiX 2.20. Fine: alike ones and, to 0.15, five times the modulus --columns 36
+/// --grading 8, else --columns 48 --step 0.03. These two agree within 1 % (at 0.06 2.7 %, at 0.6 1.3 %).
+/// Coarse:
+/// --columns 24, steps of 0.002 throughout: 1 % from the fine ones below 0.4 (3 to 4 % below 0.1), 2.7 % too
+/// high at 0.5 and 4 % at 0.6, which is left out. The return mapping errs with the step.
 const std::vector<double> gammas = {0.04, 0.06, 0.1, 0.15, 0.2, 0.3, 0.4, 0.5, 0.6};
 const struct {
   Unlike pair;
-  double near, far;      ///< bounds of docs/explanation/joined.md: below gamma = 0.2, and from there on
-  std::vector<double> F; ///< over pi R1^2 sigma_y, at as many gammas as were computed
+  double near, far, last; ///< bounds of docs/explanation/joined.md: below gamma = 0.2, to 0.5, at 0.6
+  std::vector<double> F;  ///< over pi R1^2 sigma_y, at as many gammas as were computed
 } calculix[] = {
     {{"alike", soft, soft, 1},
-     0.05,
-     0.015,
-     {0.0767, 0.1273, 0.2249, 0.3275, 0.4266, 0.5387, 0.6143, 0.6893, 0.7626}},
+     0.025,
+     0.03,
+     0.02,
+     {0.0794, 0.1290, 0.2242, 0.3301, 0.4206, 0.5432, 0.6069, 0.6761, 0.7654}},
     {{"1.3 times the strength", soft, bit_harder, 1},
      0.04,
-     0.05,
-     {0.0813, 0.1317, 0.2257, 0.3365, 0.4264, 0.5442, 0.6160, 0.6722, 0.7232}},
+     0.03,
+     0,
+     {0.0813, 0.1317, 0.2257, 0.3365, 0.4264, 0.5442, 0.6160, 0.6722}},
     {{"twice the strength", soft, twice, 1},
-     0.04,
      0.05,
-     {0.0826, 0.1320, 0.2262, 0.3368, 0.4256, 0.5433, 0.6153, 0.6713, 0.7227}},
+     0.055,
+     0.1,
+     {0.0838, 0.1325, 0.2302, 0.3357, 0.4222, 0.5390, 0.6054, 0.6535, 0.6928}},
     {{"five times the strength", soft, five, 1},
      0.04,
-     0.05,
-     {0.0826, 0.1320, 0.2262, 0.3368, 0.4256, 0.5433, 0.6153, 0.6713, 0.7227}},
+     0.03,
+     0,
+     {0.0826, 0.1320, 0.2262, 0.3368, 0.4256, 0.5433, 0.6153, 0.6713}},
     {{"five times the modulus", soft, stiff, 1},
-     0.07,
+     0.05,
      0.04,
-     {0.0912, 0.1491, 0.2446, 0.3509, 0.4390, 0.5519, 0.6240}},
+     0,
+     {0.0954, 0.1464, 0.2476, 0.3525, 0.4390, 0.5519, 0.6240}},
     {{"a hundred times modulus and strength", soft, hard, 1},
      0.07,
-     0.065,
-     {0.0967, 0.1543, 0.2480, 0.3537, 0.4388, 0.5509, 0.6216, 0.6801, 0.7331}},
+     0.07,
+     0.115,
+     {0.0977, 0.1533, 0.2474, 0.3520, 0.4339, 0.5438, 0.6084, 0.6578, 0.7002}},
     {{"1.25 times the radius", soft, soft, 1.25},
      0.05,
      0.04,
+     0,
      {0.0825, 0.1398, 0.2433, 0.3642, 0.4635, 0.5765, 0.6600}},
     {{"twice the radius", soft, soft, 2},
      0.04,
      0.04,
-     {0.1007, 0.1576, 0.2830, 0.4118, 0.5141, 0.6242, 0.7256, 0.8205, 0.9175}},
+     0,
+     {0.1007, 0.1576, 0.2830, 0.4118, 0.5141, 0.6242, 0.7256, 0.8205}},
     {{"twice radius and strength", soft, twice, 2},
      0.08,
      0.04,
-     {0.1051, 0.1628, 0.2877, 0.4155, 0.5181, 0.6281, 0.7266, 0.8219, 0.9151}},
+     0,
+     {0.1051, 0.1628, 0.2877, 0.4155, 0.5181, 0.6281, 0.7266, 0.8219}},
     {{"twice the radius, five times the strength", soft, five, 2},
      0.07,
      0.04,
+     0,
      {0.1051, 0.1628, 0.2877, 0.4155, 0.5180, 0.6278, 0.7253}},
     {{"a dent: twice the radius, half the strength", twice, soft, 2},
      0.1,
-     0.25,
-     {0.1047, 0.1684, 0.3212, 0.4892, 0.6431, 0.9112, 1.1344, 1.3341, 1.5208}},
+     0.21,
+     0,
+     {0.1047, 0.1684, 0.3212, 0.4892, 0.6431, 0.9112, 1.1344, 1.3341}},
 };
 
 } // namespace
 
 TEST(UnlikePartners, JoinedCurvesAreAsFarFromCalculiXAsThePageSays) {
-  for (const auto& [pair, near, far, F] : calculix)
+  for (const auto& [pair, near, far, last, F] : calculix)
     for (std::size_t i = 0; i < F.size(); ++i) {
       const double deviation = joined(pair, gammas[i]) / F[i] - 1;
       const double of_ratio = (1 + deviation) / (joined(calculix[0].pair, gammas[i]) / calculix[0].F[i]) - 1;
       std::printf("%s, gamma %.2f: force %+.1f %%, over that of alike ones %+.1f %%\n", pair.what, gammas[i],
                   100 * deviation, 100 * of_ratio);
-      EXPECT_NEAR(deviation, 0, gammas[i] < 0.2 ? near : far) << pair.what << ' ' << gammas[i];
+      const double most = gammas[i] < 0.2 ? near : gammas[i] < 0.55 ? far : last;
+      EXPECT_NEAR(deviation, 0, most) << pair.what << ' ' << gammas[i];
     }
 }
 
@@ -179,12 +193,12 @@ TEST(UnlikePartners, OfAgarwalAreAsFarFromCalculiXAsThePageSays) { // dissimilar
         "",
         {{"nu", "0.3"}, {"E_Pa", std::to_string(m.E)}, {"sigma_y_Pa", std::to_string(m.sigma_y)}}};
   };
-  for (const auto& [pair, near, far, F] : calculix) {
+  for (const auto& [pair, near, far, last, F] : calculix) {
     const bool alike = pair.R2 == 1, dent = pair.two.sigma_y < pair.one.sigma_y;
     if (dent) continue;
     const law::Law law = law::make_law(metal(pair.one), 1, metal(pair.two), pair.R2);
     for (std::size_t i = 2; i < F.size(); ++i)
-      EXPECT_NEAR(law::evaluate(law, {}, gammas[i]).force / M_PI / F[i], 1, alike ? 0.07 : 0.09)
+      EXPECT_NEAR(law::evaluate(law, {}, gammas[i]).force / M_PI / F[i], 1, !alike ? 0.09 : gammas[i] < 0.55 ? 0.07 : 0.11)
           << pair.what << ' ' << gammas[i];
   }
 }
@@ -207,7 +221,7 @@ TEST(UnlikePartners, PlasticPartOfTheOverlapDependsLittleOnTheModulus) {
 }
 
 TEST(UnlikePartners, JoinedCurvesFollowTheRuleWorkedOutAnew) {
-  for (const auto& [pair, near, far, F] : calculix)
+  for (const auto& [pair, near, far, last, F] : calculix)
     for (std::size_t i = 0; i < F.size(); ++i)
       EXPECT_NEAR(joined(pair, gammas[i]) / by_hand(pair, gammas[i]), 1, 0.006)
           << pair.what << ' ' << gammas[i];
