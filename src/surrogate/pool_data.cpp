@@ -4,13 +4,13 @@
 #include "core/error.hpp"
 #include "core/number.hpp"
 #include "study/pool.hpp"
+#include "surrogate/said.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 namespace platen::surrogate {
 namespace {
@@ -50,10 +50,6 @@ bool ends_early(const PressedBranch& branch) {
 
 } // namespace
 
-double hertz_overlap(double F_bar, const Description& d) {
-  return std::pow(0.75 * std::numbers::pi * F_bar / d.E_flat, 2.0 / 3);
-}
-
 double work_along(const PressedBranch& branch) {
   double work = 0;
   for (std::size_t i = 1; i < branch.delta_bar.size(); ++i)
@@ -63,18 +59,6 @@ double work_along(const PressedBranch& branch) {
 
 double returned_of(const PressedBranch& branch, const Description& d) {
   return std::log(work_along(branch) / hertz_overlap(1, d));
-}
-
-std::vector<double> over_force(std::vector<double> returned, const std::vector<double>& unload_delta_bar,
-                               const std::vector<double>& knots, const std::vector<double>& ln_F) {
-  for (std::size_t b = 0; b < returned.size(); ++b)
-    returned[b] -= 5.0 / 3 * ln_F[knot_of(knots, unload_delta_bar[b])];
-  return returned;
-}
-
-std::size_t knot_of(const std::vector<double>& knots, double delta_bar) {
-  return static_cast<std::size_t>(std::lower_bound(knots.begin(), knots.end(), delta_bar - 1e-9) -
-                                  knots.begin());
 }
 
 PoolData read_pool_data(const fs::path& folder, Take take) {

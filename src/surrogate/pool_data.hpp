@@ -17,20 +17,10 @@ struct PressedBranch {
   }
 };
 
-/// Overlap delta/R0 at which Hertz carries a force over pi R0^2 sigma_ref: Edmans & Sinka (12).
-double hertz_overlap(double F_bar, const Description&);
 /// Work that a branch gives back, over pi R0^3 sigma_ref.
 double work_along(const PressedBranch&);
 /// Its logarithm, over the overlap at which Hertz carries F_bar = 1.
 double returned_of(const PressedBranch&, const Description&);
-/// Those of all unloadings over force and Hertz's overlap where they begin, 1/(beta (1 + alpha)) of the form
-/// (13). This is what is interpolated: fits of alpha and beta miss the work by 0.4 % (one in twenty by 2 %),
-/// and lean on each other. ln_F at the knots: without ripples, since the work has none.
-std::vector<double> over_force(std::vector<double> returned, const std::vector<double>& unload_delta_bar,
-                               const std::vector<double>& knots, const std::vector<double>& ln_F);
-/// Where an overlap stands among the knots.
-std::size_t knot_of(const std::vector<double>& knots, double delta_bar);
-
 /// A material that was pressed to the end.
 struct Pressed {
   std::string pool;

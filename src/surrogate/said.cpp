@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace platen::surrogate {
 namespace {
@@ -36,6 +37,22 @@ double scatter_of(const std::vector<double>& knots, const std::vector<double>& l
   if (from == knots.size()) return 1;
   const double growth = std::exp(ln_F.back() - ln_F[from]);
   return std::clamp(std::pow(growth / 1.6, 1.5), 1.0, 8.0);
+}
+
+double hertz_overlap(double F_bar, const Description& d) {
+  return std::pow(0.75 * std::numbers::pi * F_bar / d.E_flat, 2.0 / 3);
+}
+
+std::vector<double> over_force(std::vector<double> returned, const std::vector<double>& unload_delta_bar,
+                               const std::vector<double>& knots, const std::vector<double>& ln_F) {
+  for (std::size_t b = 0; b < returned.size(); ++b)
+    returned[b] -= 5.0 / 3 * ln_F[knot_of(knots, unload_delta_bar[b])];
+  return returned;
+}
+
+std::size_t knot_of(const std::vector<double>& knots, double delta_bar) {
+  return static_cast<std::size_t>(std::lower_bound(knots.begin(), knots.end(), delta_bar - 1e-9) -
+                                  knots.begin());
 }
 
 AlphaBeta alpha_beta(const std::vector<double>& work, const std::vector<double>& exponent) {
