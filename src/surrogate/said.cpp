@@ -46,8 +46,15 @@ double hertz_overlap(double F_bar, const Description& d) {
 std::vector<double> over_force(std::vector<double> returned, const std::vector<double>& unload_delta_bar,
                                const std::vector<double>& knots, const std::vector<double>& ln_F) {
   for (std::size_t b = 0; b < returned.size(); ++b)
-    returned[b] -= 5.0 / 3 * ln_F[knot_of(knots, unload_delta_bar[b])];
+    returned[b] -= 5.0 / 3 * at_overlap(unload_delta_bar[b], knots, ln_F);
   return returned;
+}
+
+double at_overlap(double delta_bar, const std::vector<double>& knots, const std::vector<double>& values) {
+  const std::size_t i = std::min(knot_of(knots, delta_bar), knots.size() - 1);
+  if (i == 0 || knots[i] <= delta_bar + 1e-9) return values[i];
+  const double part = std::log(knots[i] / delta_bar) / std::log(knots[i] / knots[i - 1]);
+  return values[i] + part * (values[i - 1] - values[i]);
 }
 
 std::size_t knot_of(const std::vector<double>& knots, double delta_bar) {
@@ -118,7 +125,8 @@ Errors errors_of(const PoolData& data, const Pressed& run, const Said& said) {
   const auto [alpha, beta] = alpha_beta(said.work, said.exponent);
   for (std::size_t b = 0; b < branches; ++b) {
     const double at = data.unload_delta_bar[b];
-    const auto back = unloading(F_bar[knot_of(data.knots, at)], alpha[b], beta[b], at, run.description);
+    const double F = std::exp(at_overlap(at, data.knots, said.F));
+    const auto back = unloading(F, alpha[b], beta[b], at, run.description);
     e.work.push_back(std::abs(back.work / work_along(run.branches[b]) - 1));
     e.residual.push_back(std::abs(at - back.returned - run.residual[b]) / at);
   }

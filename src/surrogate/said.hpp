@@ -30,6 +30,8 @@ double hertz_overlap(double F_bar, const Description&);
 /// in twenty by 2 %), and lean on each other. ln_F at the knots: without ripples, since the work has none.
 std::vector<double> over_force(std::vector<double> returned, const std::vector<double>& unload_delta_bar,
                                const std::vector<double>& knots, const std::vector<double>& ln_F);
+/// Logarithms at the knots, at an overlap: a straight line over its logarithm between two of them.
+double at_overlap(double delta_bar, const std::vector<double>& knots, const std::vector<double>& values);
 /// Where an overlap stands among the knots.
 std::size_t knot_of(const std::vector<double>& knots, double delta_bar);
 

@@ -2,6 +2,7 @@
 #include "core/file.hpp"
 #include "surrogate/assess.hpp"
 #include "surrogate/ripples.hpp"
+#include "surrogate/said.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -136,6 +137,15 @@ TEST(Surrogate, CorrectsCoarsePressesByFineOnes) {
 TEST(Surrogate, RefusesCoarsePressesOfSomethingElse) {
   const auto fine = metals(), coarse = metals(1, 30, 3000);
   EXPECT_THROW((void)fit_surrogate({fine, &coarse}), core::InvalidInput);
+}
+
+TEST(Surrogate, TakesTheForceBetweenKnots) {
+  const std::vector<double> knots = {0.1, 0.2, 0.4}, ln_F = {0, 1, 3};
+  EXPECT_EQ(at_overlap(0.2, knots, ln_F), 1);
+  EXPECT_NEAR(at_overlap(0.2 * std::sqrt(2), knots, ln_F), 2, 1e-12);
+  EXPECT_EQ(at_overlap(0.05, knots, ln_F), 0); // not beyond
+  EXPECT_EQ(at_overlap(0.5, knots, ln_F), 3);
+  EXPECT_NEAR(over_force({7}, {0.4}, knots, ln_F)[0], 2, 1e-12); // less 5/3 of ln F
 }
 
 TEST(Surrogate, SaysWhenAMaterialIsOutside) {
