@@ -40,6 +40,7 @@ void check(const Contact& contact) {
 Laws::Laws(Contact contact_, int index_, const Units& units)
     : contact(std::move(contact_)), index(index_), damping(platen_damping_of(contact.restitution)),
       length(units.length), alike(contact.on_plane || contact.one->file == contact.two->file) {
+  nodes_ = alike ? 512 : 1024;
   for (const Card& side : {contact.one, contact.on_plane ? contact.one : contact.two}) {
     const fit::LawCard* const card = &*side;
     fixed = fixed || card->parameters.contains("radius_m");
@@ -57,7 +58,8 @@ Laws::Laws(Contact contact_, int index_, const Units& units)
                                           : law::make_law(one, 1, fit::body_of(*contact.two), 1,
                                                           alike ? law::TableAccuracy{} : law::joined_table);
     shear = eight_G(law.pair) * units.length / units.force;
-    node_ = mirrored_ = {law.table};
+    of_equal_ = law.table;
+    if (contact.on_plane) (void)node(0, false);
     force_power = law.force_power;
     plain_ = !contact.on_plane && !fixed;
   } catch (const law::BadParameter& error) {
@@ -78,19 +80,28 @@ void Laws::check_radius(const fit::LawCard& card, double R) const {
 }
 
 const law::Table* Laws::node(std::size_t k, bool first_is_larger) {
+  if (k == 0 && of_equal_) {
+    made_.push_back(of_equal_);
+    for (Tables* tables : {&node_, &mirrored_}) {
+      tables->resize(std::max<std::size_t>(tables->size(), 1));
+      tables->front() = of_equal_.get();
+    }
+    of_equal_.reset();
+    return node_.front();
+  }
   auto& tables = first_is_larger && !alike ? mirrored_ : node_;
-  tables.resize(last + 1);
-  auto& table = tables[k];
-  if (table) return table.get();
-  const double t = static_cast<double>(k) / last, small = k == last ? 1 : 1 - t,
-               large = k == last ? law::infinity : 1 + t;
+  if (tables.size() <= k) tables.resize(k + 1);
+  if (tables[k]) return tables[k];
+  if (!alike) of_equal_.reset(); // spheres of many radii have few equals
+  const double t = static_cast<double>(k) / nodes_, small = t == 1 ? 1 : 1 - t,
+               large = t == 1 ? law::infinity : 1 + t;
   const law::LawChoice one = fit::body_of(*contact.one), two = fit::body_of(*contact.two);
   // The ratio of the radii is rounded, which is a tenth of a per cent of the force: a coarse table will do.
   const law::TableAccuracy& accuracy = alike ? law::coarse_table : law::joined_table;
-  table = (first_is_larger ? law::make_law(one, large, two, small, accuracy)
-                           : law::make_law(one, small, two, large, accuracy))
-              .table;
-  return table.get();
+  made_.push_back((first_is_larger ? law::make_law(one, large, two, small, accuracy)
+                                   : law::make_law(one, small, two, large, accuracy))
+                      .table);
+  return tables[k] = made_.back().get();
 }
 
 Laws::At Laws::between(double R1, double R2) {
@@ -101,7 +112,7 @@ Laws::At Laws::between(double R1, double R2) {
   }
   if (contact.on_plane) {
     const double R = R1 * length, F = force_of(R);
-    at.table = node_[0].get();
+    at.table = node_[0];
     at.scale = {R, 1 / R, F, F * R, F / (R * R)};
     return at;
   }
@@ -116,11 +127,9 @@ Laws::At Laws::between(double R1, double R2) {
 }
 
 std::size_t Laws::bytes() const {
-  std::size_t sum = sizeof(Laws) + node_[0]->bytes();
-  for (const auto* list : {&node_, &mirrored_}) {
-    sum += list->size() * sizeof(node_[0]);
-    for (std::size_t k = 1; k < list->size(); ++k) sum += (*list)[k] ? (*list)[k]->bytes() : 0;
-  }
+  std::size_t sum = sizeof(Laws) + (node_.size() + mirrored_.size()) * sizeof(node_[0]);
+  if (of_equal_) sum += of_equal_->bytes();
+  for (const Made& table : made_) sum += sizeof(table) + table->bytes();
   return sum;
 }
 

@@ -52,8 +52,9 @@ PLATEN_HOT law::Scale scale_of(double s, double t) {
 }
 
 /// The laws of two materials. One table serves all radii of the same ratio, t = |R1 - R2|/(R1 + R2), 0 for
-/// equal spheres and 1 against a plane; others take the next of 512, whose force is right to 0.3 %. Each is
-/// made when it is first needed; of unlike bodies they are coarse (law::joined_table).
+/// equal spheres and 1 against a plane; others take the next of 512 (of unlike bodies 1,024), whose force is
+/// right to 0.3 %. Each is made when it is first needed; of unlike bodies they are coarse
+/// (law::joined_table).
 class Laws {
  public:
   Laws(Contact, int index, const Units&);
@@ -77,9 +78,9 @@ class Laws {
   }
   /// Of spheres, t = (R1 - R2)/(R1 + R2).
   PLATEN_HOT const law::Table* table(double t) {
-    const auto k = static_cast<std::size_t>(static_cast<int>((t < 0 ? -t : t) * last + 0.5));
+    const auto k = static_cast<std::size_t>(static_cast<int>((t < 0 ? -t : t) * nodes_ + 0.5));
     const Tables& tables = !alike && t > 0 ? mirrored_ : node_; // a guess for each contact costs
-    const law::Table* made = k < tables.size() ? tables[k].get() : nullptr;
+    const law::Table* made = k < tables.size() ? tables[k] : nullptr;
     return made ? made : node(k, t > 0);
   }
   /// Whether both cards hold at a largest overlap x of the table.
@@ -97,17 +98,20 @@ class Laws {
   double force_power = 2;         ///< the force goes with R_e to this power
 
  private:
-  using Tables = std::vector<std::shared_ptr<const law::Table>>;
-  static constexpr int last = 512; ///< t = k/512
+  using Tables = std::vector<const law::Table*>;
+  using Made = std::shared_ptr<const law::Table>;
   At between(double R1, double R2);
   const law::Table* node(std::size_t k, bool first_is_larger);
   void check_radius(const fit::LawCard&, double R) const;
 
   double length = 1;
-  bool fixed = false; ///< a card is for one radius alone
-  bool alike = false; ///< of one card, or a plane
+  bool fixed = false;  ///< a card is for one radius alone
+  bool alike = false;  ///< of one card, or a plane
+  double nodes_ = 512; ///< t = k/nodes
   bool plain_ = false;
-  Tables node_, mirrored_; ///< by k: first sphere smaller; larger. The first: of equal spheres, or on a plane
+  Tables node_, mirrored_; ///< by k: first sphere smaller; larger. On a plane node_[0]
+  std::vector<Made> made_;
+  Made of_equal_; ///< made first, if nobody has asked for another
 };
 
 /// The response of the laws at an overlap, with the largest overlap so far [m].

@@ -69,34 +69,44 @@ law::PressedMaterial at_knots(const press::Curve& curve, const Points& p, const 
   return m;
 }
 
-/// The knots that the curve needs.
+/// The knots that the curve needs. Where there are too few for its ripple, those below delta_bar = 0.005 may
+/// miss it by more, if that helps the others.
 std::set<std::size_t> choose_knots(const Points& p, const UnloadingFits& unloading) {
-  std::set<std::size_t> knots;
   const std::size_t n = p.x.size();
   std::vector<double> u, F, a;
   for (std::size_t i = 0; i < n; ++i)
     u.push_back(std::log(p.x[i])), F.push_back(std::log(p.F[i])), a.push_back(std::log(p.a[i]));
-  for (std::size_t k = 0; k < 6; ++k) knots.insert(k * (n - 1) / 5);
+  std::set<std::size_t> first;
+  for (std::size_t k = 0; k < 6; ++k) first.insert(k * (n - 1) / 5);
   for (const auto& f : unloading.fits) // there unloading is known
-    knots.insert(std::min<std::size_t>(
+    first.insert(std::min<std::size_t>(
         n - 1, static_cast<std::size_t>(
                    std::lower_bound(p.x.begin(), p.x.end(), f.delta_bar_max * (1 - 1e-9)) - p.x.begin())));
-  while (knots.size() < std::min(n, law::PressedMaterial::most_knots)) {
-    std::vector<double> ku, kF, ka;
-    for (const std::size_t i : knots) ku.push_back(u[i]), kF.push_back(F[i]), ka.push_back(a[i]);
-    const law::MonotoneCurve force(ku, kF), radius(ku, ka);
-    double worst = 1;
-    std::size_t where = n;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (knots.contains(i)) continue;
-      const double miss = std::max(std::abs(force.value(u[i]) - F[i]) / force_wanted,
-                                   std::abs(radius.value(u[i]) - a[i]) / radius_wanted);
-      if (miss > worst) worst = miss, where = i;
+  std::set<std::size_t> best;
+  double least = law::infinity;
+  for (const double small : {1.0, 2.0, 5.0})
+    for (auto knots = first;;) {
+      std::vector<double> ku, kF, ka;
+      for (const std::size_t i : knots) ku.push_back(u[i]), kF.push_back(F[i]), ka.push_back(a[i]);
+      const law::MonotoneCurve force(ku, kF), radius(ku, ka);
+      double worst = 1, of_others = 0;
+      std::size_t where = n;
+      for (std::size_t i = 0; i < n; ++i) {
+        if (knots.contains(i)) continue;
+        const double miss = std::max(std::abs(force.value(u[i]) - F[i]) / force_wanted,
+                                     std::abs(radius.value(u[i]) - a[i]) / radius_wanted);
+        if (p.x[i] >= 0.005) of_others = std::max(of_others, miss);
+        const double weighed = p.x[i] >= 0.005 ? miss : miss / small;
+        if (weighed > worst) worst = weighed, where = i;
+      }
+      if (where == n && small == 1) return knots;
+      if (where == n || knots.size() >= std::min(n, law::PressedMaterial::most_knots)) {
+        if (of_others < least) least = of_others, best = std::move(knots);
+        break;
+      }
+      knots.insert(where);
     }
-    if (where == n) break;
-    knots.insert(where);
-  }
-  return knots;
+  return best;
 }
 
 /// Of every row of loading, so that one without force tells.

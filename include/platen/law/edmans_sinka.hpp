@@ -258,7 +258,7 @@ inline EdmansSinka<double> prepare(const EdmansSinkaMaterial& m1, double R1, con
   law.radius_log_slope = soft.radii > 0
                              ? law.radius.least_log_slope()
                              : edmans_sinka_radius.least_log_slope(EdmansSinkaCurve<double>::x_end);
-  law.x_valid = flattened_to(law.x_valid, law.pair, strength1, strength2);
+  law.x_valid = flattened_to(law.x_valid, law.pair, std::get<0>(strength1), std::get<0>(strength2));
   law.force_scale = std::numbers::pi * law.pair.R_e * law.pair.R_e * soft.sigma_ref;
   law.gamma_limit = 1000 / law.pair.x_per_gamma;
   detail::bound_by_elasticity(law);

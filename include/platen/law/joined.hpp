@@ -3,24 +3,27 @@
 //
 // At a force F body i, pressed against its like of radius R_i, is at the overlap x_i (delta/R) with the
 // contact radius a_i. R_i is its own; of the larger of two it is 2/A (A of their own radii, pair.hpp), whose
-// equal pair has the same gap and yields first at the same force: a plane yields, too. Of (R_i^2 x_i)^(3/2)
-// and of a_i^3 Hertz's share is 3 F R_i (1 - nu_i^2)/(4 E_i); the rest is plastic, P_i^(3/2) and Q_i^(3/2).
-// The pair carries F at
+// equal pair has the same gap and yields first at the same force: a plane yields, too. Of R_i^2 x_i and of
+// a_i^2 Hertz's share is H_i = (3 F R_i (1 - nu_i^2)/(4 E_i))^(2/3); the rest is plastic:
 //
-//   (gamma/A)^(3/2) = 3 F/(4 E* A) + (sum_q P_i)^(3/2),   sum_q u_i = ((u_1^q/R_1 + u_2^q/R_2)/A)^(1/q)
-//   a^3             = 3 F/(4 E* A) + (sum_q Q_i)^(3/2)
+//   (R_i^2 x_i)^(7/4) = H_i^(7/4) + P_i^(7/4),   a_i^3 = H_i^(3/2) + Q_i^(3/2)
+//
+// The pair carries F at the sums of all three:
+//
+//   (gamma/A)^(7/4) = H^(7/4) + P^(7/4),   a^3 = H^(3/2) + Q^(3/2)
+//   H = sum_3/2 H_i,  P = sum_q P_i,  Q = sum_q Q_i,   sum_q u_i = ((u_1^q/R_1 + u_2^q/R_2)/A)^(1/q)
 //   q = n/(2 (n - 1)) >= 1,   n = d ln F/d ln x of the plastic overlap of the softer
 //
-// which is exact for elastic bodies (Hertz, any radii and moduli) and for the similarity solution of
-// rigid-plastic ones (n = 1 + 1/2m, q = m + 1/2: kappa_bar = (kappa_1^-m + kappa_2^-m)^(-1/m), any radii), up
-// to perfect plasticity (q infinite: the softer side alone). Where both stiffen as their cells fill (n > 2)
-// it is q = 1, springs in series. Against a rigid plane, and of two alike, it is the curve itself. The power
-// 3/2 is the one with which P of a metal does not depend on its modulus: within 5 % of its mean for E/sigma_y
-// of 100 to 1,000. Of two nearly as soft n is weighted by P_i^4; it is that of the work, F x/W - 1, which is
-// smoother, and at most that of the whole overlap. Unloading starts with both elasticities in series at that
-// contact radius.
+// which is exact for elastic bodies (n = 3/2 is q = 3/2: Hertz, any radii and moduli) and for the similarity
+// solution of rigid-plastic ones (n = 1 + 1/2m, q = m + 1/2: kappa_bar = (kappa_1^-m + kappa_2^-m)^(-1/m),
+// any radii), up to perfect plasticity (q infinite: the softer side alone). Where both stiffen as their cells
+// fill (n > 2) it is q = 1, springs in series. Against a rigid plane, and of two alike, it is the curve
+// itself. The power 7/4 is the one with which P of a metal depends least on its modulus (joined.md). Of two
+// nearly as soft n is weighted by P_i^4; it is that of the work, F x/W - 1, which is smoother, and at most
+// that of the whole overlap. Unloading starts with both elasticities in series at that contact radius.
 //
-// Of a body that is flatter than a harder partner its curve is in range to x_dented (pair.hpp).
+// Of bodies of unlike strength it is in range as far as a flattened sphere's curve is (flattened_to,
+// pair.hpp).
 
 #include "platen/law/knot_curve.hpp"
 #include "platen/law/tabulate.hpp"
@@ -69,11 +72,20 @@ struct OwnPair {
   }
 };
 
+/// With these powers an elastic and a plastic part make a whole.
+inline constexpr double of_overlap = 7.0 / 4, of_area = 3.0 / 2;
+inline double whole_of(double elastic, double plastic, double power) {
+  return std::pow(std::pow(elastic, power) + std::pow(plastic, power), 1 / power);
+}
+inline double plastic_of(double whole, double elastic, double power) {
+  return std::pow(std::max(std::pow(whole, power) - std::pow(elastic, power), 0.0), 1 / power);
+}
+
 /// It at one overlap; a rigid body has none.
 struct OwnContact {
   double x = 0;
-  double elastic = 0, plastic = 0;           ///< of (L^2 x)^(3/2) the elastic part, and P [m^3, m^2]
-  double area_elastic = 0, area_plastic = 0; ///< of a^3, and Q
+  double elastic = 0, plastic = 0;           ///< of L^2 x: H and P [m^2]
+  double area_elastic = 0, area_plastic = 0; ///< of a^2: H and Q [m^2]
   double n = 1;                              ///< d ln F/d ln x of the plastic overlap
   double compliance =
       0;              ///< with which unloading starts, times the contact radius, of this body alone [m^2/N]
@@ -81,15 +93,12 @@ struct OwnContact {
 
   OwnContact() = default;
   OwnContact(const OwnPair& own, double x_, const Top& top) : x(x_), alpha(top.alpha) {
-    const double cube = own.L * own.L * own.L, hertz = 0.75 * top.F / own.E_flat;
-    const auto split = [&](double whole, double& elastic_part, double& plastic_part) {
-      elastic_part = cube * std::min(hertz, whole);
-      plastic_part = std::pow(cube * std::max(whole - hertz, 0.0), 2.0 / 3);
-    };
-    split(x * std::sqrt(x), elastic, plastic);
-    split(top.a * top.a * top.a, area_elastic, area_plastic);
+    const double square = own.L * own.L, x_hertz = std::pow(0.75 * top.F / own.E_flat, 2.0 / 3);
+    elastic = square * std::min(x, x_hertz), area_elastic = square * std::min(top.a * top.a, x_hertz);
+    plastic = plastic_of(square * x, elastic, of_overlap);
+    area_plastic = plastic_of(square * top.a * top.a, area_elastic, of_area);
     // Where the whole stiffens beyond its elasticity, no plastic work is left to say n.
-    const double x_hertz = std::pow(hertz, 2.0 / 3), work = top.work() - 0.4 * top.F * x_hertz;
+    const double work = top.work() - 0.4 * top.F * x_hertz;
     const double whole = std::max(top.F * x / top.work() - 1, 1.0);
     n = work > 0 ? std::clamp(top.F * (x - x_hertz) / work - 1, 1.0, whole) : whole;
     compliance = top.a * top.w / (top.alpha * top.F);
@@ -101,6 +110,38 @@ inline double joined_sum(double u1, double k1, double u2, double k2, double q) {
   const double most = std::max(u1, u2);
   if (most == 0) return 0;
   return most * std::pow(k1 * std::pow(u1 / most, q) + k2 * std::pow(u2 / most, q), 1 / q);
+}
+
+/// Of a dense walk every eighth knot, and those that the curve through the others misses.
+inline std::vector<Knot> needed(const std::vector<Knot>& walked) {
+  constexpr double of_force = 2e-3, of_radius = 1e-2, of_stiffness = 0.2;
+  constexpr std::size_t fewest = 8; // a power of two
+  const std::size_t n = walked.size();
+  std::vector<char> kept(n, false);
+  for (std::size_t i = 0; i < n; i += fewest) kept[i] = true;
+  kept[n - 1] = true;
+  for (std::size_t stride = fewest; stride > 1; stride /= 2) {
+    std::vector<double> x, F, a, S;
+    for (std::size_t i = 0; i < n; ++i)
+      if (kept[i]) {
+        const Knot& k = walked[i];
+        x.push_back(std::log(k.x)), F.push_back(std::log(k.F));
+        a.push_back(std::log(k.a)), S.push_back(std::log(k.S));
+      }
+    const MonotoneCurve force(x, F), radius(x, a), stiffness(x, S);
+    for (std::size_t i = stride / 2; i < n; i += stride) {
+      const Knot& k = walked[i];
+      const auto off = [u = std::log(k.x)](const MonotoneCurve& curve, double value) {
+        return std::abs(curve.value(u) - std::log(value));
+      };
+      kept[i] = kept[i] || off(force, k.F) > of_force || off(radius, k.a) > of_radius ||
+                off(stiffness, k.S) > of_stiffness;
+    }
+  }
+  std::vector<Knot> knots;
+  for (std::size_t i = 0; i < n; ++i)
+    if (kept[i]) knots.push_back(walked[i]);
+  return knots;
 }
 
 } // namespace detail
@@ -126,7 +167,7 @@ inline KnotCurve join(const Pair& pair, const JoinedSide& side1, const JoinedSid
       x_begin = std::min(x_begin, one.overlap(F / (one.L * one.L), x_begin));
     }
   }
-  constexpr int per_octave = 20;
+  constexpr int per_octave = 56;
   for (double x1 = x_begin; x1 <= one.side.x_end; x1 *= std::exp2(1.0 / per_octave)) {
     const Top top1 = table1.top(x1);
     const double F = top1.F * one.L * one.L;
@@ -143,27 +184,28 @@ inline KnotCurve join(const Pair& pair, const JoinedSide& side1, const JoinedSid
     const double n = soft1 + soft2 > 0 ? (soft1 * a.n + soft2 * b.n) / (soft1 + soft2) : 1;
     const double q = n > 1 ? std::clamp(n / (2 * (n - 1)), 1.0, 1e3) : 1e3;
     const auto sum = [&](double u1, double u2) { return detail::joined_sum(u1, k1, u2, k2, q); };
-    const auto both = [&](double elastic, double plastic) { // to (gamma/A) or a^2 [m^2]
-      return std::pow(elastic + plastic * std::sqrt(plastic), 2.0 / 3);
-    };
-    const double x = both(k1 * a.elastic + k2 * b.elastic, sum(a.plastic, b.plastic)) / square;
+    const auto elastic = [&](double u1, double u2) { return detail::joined_sum(u1, k1, u2, k2, 1.5); };
+    const double x =
+        detail::whole_of(elastic(a.elastic, b.elastic), sum(a.plastic, b.plastic), detail::of_overlap) /
+        square;
     if (!knots.empty() && !(x > knots.back().x * (1 + 1e-9))) continue; // keeps the curve single-valued
-    const double area = both(k1 * a.area_elastic + k2 * b.area_elastic, sum(a.area_plastic, b.area_plastic));
+    const double area = detail::whole_of(elastic(a.area_elastic, b.area_elastic),
+                                         sum(a.area_plastic, b.area_plastic), detail::of_area);
     const double compliance = a.compliance + b.compliance,
                  alpha = (a.compliance * a.alpha + b.compliance * b.alpha) / compliance;
     knots.push_back({x, F / square, std::sqrt(area / square), pair.A * std::sqrt(area) / compliance, alpha});
-    const auto hardness = [&](const detail::OwnPair& own) { return -own.overlap(F / square, x); };
-    const bool in_range = one.in_range(a.x) && two.in_range(b.x) &&
-                          (x <= x_dented || x <= flattened_to(infinity, pair, hardness(i == 0 ? one : two),
-                                                              hardness(i == 0 ? two : one)));
+    const auto strength = [&](int side) { return 1 / (side == i ? one : two).overlap(F / square, x); };
+    const bool in_range = one.in_range(a.x) && two.in_range(b.x);
     if (in_range && !(valid.from < infinity)) valid.from = knots.size() == 1 ? 0 : x;
     if (!in_range && valid.from < infinity) valid.to = std::min(valid.to, x);
+    if (x > x_dented) valid.to = flattened_to(valid.to, pair, strength(0), strength(1));
   }
   if (knots.size() < 4) throw BadParameter("the two laws share no range of forces");
   valid.to = std::min(valid.to, knots.back().x);
   const bool elastic = table1.x_elastic > 0 && (!table2 || table2->x_elastic > 0);
   const double n_first = std::log(knots[1].F / knots[0].F) / std::log(knots[1].x / knots[0].x);
-  return {pair, knots, hertz || std::abs(n_first - 1.5) < 1e-3 ? 1.5 : n_first, elastic, valid};
+  return {pair, detail::needed(knots), hertz || std::abs(n_first - 1.5) < 1e-3 ? 1.5 : n_first, elastic,
+          valid};
 }
 
 } // namespace platen::law

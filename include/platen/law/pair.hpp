@@ -64,12 +64,18 @@ using Pair = BasicPair<double>;
 /// dent does not. Here H of Jackson & Green, 2.84 sigma_y (1 - exp(-0.82 (a/R)^-0.7)), has lost 8 %.
 inline constexpr double x_dented = 0.02;
 
-/// To where in x the curve of a flattened sphere, made to `x_valid`, holds between bodies of these strengths.
-template <class Strength>
-inline double flattened_to(double x_valid, const Pair& pair, const Strength& one, const Strength& two) {
-  const double c1 = pair.body[0].curvature, c2 = pair.body[1].curvature;
-  const bool dent = (one < two && c1 < c2) || (two < one && c2 < c1);
-  return dent && x_dented < x_valid ? x_dented : x_valid;
+/// A softer body wraps itself around a harder sphere, and from this approach over that one's radius on
+/// carries less than a flattened one (docs/explanation/joined.md).
+inline constexpr double approach_wrapped = 0.4;
+
+/// To where in x the curve of a flattened sphere, made to `x_valid`, holds between bodies of these strengths;
+/// within a twentieth of each other they count as equal.
+inline double flattened_to(double x_valid, const Pair& pair, double one, double two) {
+  if (one <= 1.05 * two && two <= 1.05 * one) return x_valid;
+  const double c_harder = pair.body[two < one ? 0 : 1].curvature, c_softer = pair.A - c_harder;
+  const double x =
+      c_softer < c_harder * (1 - 1e-9) ? x_dented : approach_wrapped / c_harder * pair.x_per_gamma;
+  return x < x_valid ? x : x_valid;
 }
 
 /// From which overlap on, up to `end`, the force(gamma) of a law without an elastic beginning is no more than

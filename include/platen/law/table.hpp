@@ -124,11 +124,12 @@ struct TableAccuracy {
   double lost = 3e-5;  ///< over the work of loading
   int bits = 6;        ///< of a TableView
   double bent = 1e-12; ///< unloading that ends so near the origin, over x, ends there
+  int octaves = 1;     ///< of a cell, at most
 };
 /// Two fifths of the memory, where the ratio of radii is rounded.
 inline constexpr TableAccuracy coarse_table{2e-4, 2e-3, 1e-3, 1e-3, 1e-3};
 /// A tenth, of unlike bodies: the rule that joins them is right to a few per cent (joined.hpp).
-inline constexpr TableAccuracy joined_table{1e-3, 5e-2, 5e-3, 1e-2, 3e-3, 4, 3e-4};
+inline constexpr TableAccuracy joined_table{9e-4, 5e-2, 5e-3, 1e-2, 3e-3, 3, 3e-4, 2};
 
 /// A table and its cells.
 struct Table : TableView {

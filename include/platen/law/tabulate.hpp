@@ -1,6 +1,6 @@
 #pragma once
-// Any law's formulas as a table (table.hpp): knots at the kinks that the law names, cells of a ratio of two
-// or less between them, halved until force and radius are within `accuracy` of the formulas.
+// Any law's formulas as a table (table.hpp): knots at the kinks that the law names, cells of one octave, of
+// coarse tables two, between them, halved until force and radius are within `accuracy` of the formulas.
 //
 // What tabulate() may ask of a law beside ContactLaw; each may be missing.
 //   law.kinks()         overlaps [m] where the formulas change
@@ -52,7 +52,8 @@ template <class L> class Tabulator {
       if (x > ends.back() * (1 + 1e-9) && x < x_end * (1 - 1e-9)) ends.push_back(x);
     if (x_end > ends.back() * (1 + 1e-9)) ends.push_back(x_end);
     for (std::size_t i = 1; i < ends.size(); ++i) {
-      const int parts = std::max(1, static_cast<int>(std::ceil(std::log2(ends[i] / ends[i - 1]) - 1e-9)));
+      const int parts = std::max(
+          1, static_cast<int>(std::ceil(std::log2(ends[i] / ends[i - 1]) / accuracy.octaves - 1e-9)));
       double left = ends[i - 1];
       for (int k = 1; k <= parts; ++k) {
         const double right =

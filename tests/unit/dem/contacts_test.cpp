@@ -41,20 +41,24 @@ TEST(Contacts, OfAnyRadiiAreWithin0_3PerCentOfTheLawOfThoseRadii) {
   EXPECT_GT(worst, 1e-4); // else the tables were not shared
 }
 
-TEST(Contacts, OfAHundredMaterialsTake40MB) { // 4,950 pairs, of spheres of one size
+TEST(Contacts, OfAHundredMaterialsTake40MB) { // 4,950 pairs, of spheres of one size or each of its own
   Random random;
   constexpr int pairs = 100;
-  double sum = 0, most = 0;
+  double sum = 0, most = 0, own = 0;
   for (int i = 0; i < pairs; ++i) {
     const LawChoice one = random_material(find_law("pressed"), random),
                     two = random_material(find_law("pressed"), random);
-    const Laws laws({LawCard{"one.toml", "pressed", one.variant, one.parameters, {}, {}, {}},
-                     LawCard{"two.toml", "pressed", two.variant, two.parameters, {}, {}, {}}},
-                    0, {});
+    Laws laws({LawCard{"one.toml", "pressed", one.variant, one.parameters, {}, {}, {}},
+               LawCard{"two.toml", "pressed", two.variant, two.parameters, {}, {}, {}}},
+              0, {});
     sum += static_cast<double>(laws.bytes()), most = std::max(most, static_cast<double>(laws.bytes()));
+    (void)laws.at(1e-3, random.log_between(0.5e-3, 2e-3));
+    own += static_cast<double>(laws.bytes());
   }
-  std::printf("a pair takes %.1f kB, at most %.1f\n", sum / pairs / 1e3, most / 1e3);
+  std::printf("a pair takes %.1f kB, at most %.1f; of radii of their own %.1f\n", sum / pairs / 1e3,
+              most / 1e3, own / pairs / 1e3);
   EXPECT_LE(sum / pairs * 4950, 40e6);
+  EXPECT_LE(own / pairs * 4950, 40e6);
 }
 
 TEST(Contacts, OfUnlikeRadiiTakeLessMemoryThanOfLikeOnes) {

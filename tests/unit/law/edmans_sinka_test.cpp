@@ -266,7 +266,7 @@ TEST(EdmansSinka, RefusesWhatIsNoMaterial) {
   EXPECT_THROW((void)prepare(some_material(), 0), BadParameter);
 }
 
-TEST(EdmansSinka, IsInRangeOfADentWhileItIsSmall) { // pair.hpp
+TEST(EdmansSinka, OfUnlikeStrengthIsInRangeWhileTheHarderOneSinksInALittle) { // pair.hpp
   EdmansSinkaMaterial soft = some_material(), hard = soft;
   hard.sigma_ref *= 100;
   const auto in_range = [](const auto& law, double x) { return law.in_range(x / law.pair.x_per_gamma); };
@@ -277,7 +277,8 @@ TEST(EdmansSinka, IsInRangeOfADentWhileItIsSmall) { // pair.hpp
     EXPECT_TRUE(in_range(prepare(hard, R, soft, 0.5), 0.49));
     EXPECT_TRUE(in_range(prepare(soft, 0.5, soft, R), 0.49));
   }
-  EXPECT_TRUE(in_range(prepare(hard, 0.5, soft, 0.5), 0.49));
+  EXPECT_TRUE(in_range(prepare(hard, 0.5, soft, 0.5), 0.199)); // 0.4 of its radius
+  EXPECT_FALSE(in_range(prepare(hard, 0.5, soft, 0.5), 0.201));
 }
 
 TEST(EdmansSinka, AnyFiniteOverlapHasAnAnswer) {

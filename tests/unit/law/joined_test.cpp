@@ -67,8 +67,8 @@ TEST(Joined, IsNearLawsThatKnowBothModuli) {
     double agarwal, most, most_from_0_1;
   } second[] = {{"1e9", "1e7", 1e-3, 1e-3, 1e-3},
                 {"1e9", "4e7", 2e-3, 2e-3, 2e-3},
-                {"5e9", "1e7", 0.06, 0.24, 0.1},
-                {"1e12", "1e10", 0.075, 0.31, 0.15}};
+                {"5e9", "1e7", 0.045, 0.22, 0.07},
+                {"1e12", "1e10", 0.065, 0.29, 0.115}};
   for (const std::string law : {"agarwal", "kogut-etsion", "mdr", "thornton-ning"})
     for (const auto& [E, sigma, of_agarwal, most, most_from_0_1] : second) {
       const LawChoice a = metal(law, "1e9", "1e7"), b = metal(law, E, sigma);
@@ -83,7 +83,7 @@ TEST(Joined, IsNearLawsThatKnowBothModuli) {
     }
 }
 
-TEST(Joined, IsInRangeOfADentWhileItIsSmall) { // pair.hpp
+TEST(Joined, OfUnlikeStrengthIsInRangeWhileTheHarderOneSinksInALittle) { // pair.hpp
   const auto metal = [](const char* strength) {
     return LawChoice{
         "pressed", "",
@@ -99,7 +99,9 @@ TEST(Joined, IsInRangeOfADentWhileItIsSmall) { // pair.hpp
     EXPECT_TRUE(in_range(0.5, soft, 0.018));
     EXPECT_FALSE(in_range(0.5, soft, 0.022));
   }
-  for (const double hard : {infinity, 2.0, 0.5}) EXPECT_TRUE(in_range(hard, 0.5, 0.3));
+  for (const double hard : {infinity, 2.0}) EXPECT_TRUE(in_range(hard, 0.5, 0.3));
+  EXPECT_TRUE(in_range(0.5, 0.5, 0.199)); // 0.4 of its radius
+  EXPECT_FALSE(in_range(0.5, 0.5, 0.201));
 }
 
 TEST(Joined, IsInRangeWhereBothSidesAre) { // similarity begins above Hertz's force
