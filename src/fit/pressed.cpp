@@ -69,43 +69,78 @@ law::PressedMaterial at_knots(const press::Curve& curve, const Points& p, const 
   return m;
 }
 
-/// The knots that the curve needs. Where there are too few for its ripple, those below delta_bar = 0.005 may
-/// miss it by more, if that helps the others.
-std::set<std::size_t> choose_knots(const Points& p, const UnloadingFits& unloading) {
+using Knots = std::set<std::size_t>;
+
+/// How far the law through some points of a curve is from the others.
+struct Missed {
+  std::vector<double> x, u, F, a; ///< x, and the logarithms
+
+  explicit Missed(const Points& p) : x(p.x) {
+    for (std::size_t i = 0; i < x.size(); ++i)
+      u.push_back(std::log(p.x[i])), F.push_back(std::log(p.F[i])), a.push_back(std::log(p.a[i]));
+  }
+  /// Over what is wanted, the largest, and where; below delta_bar = 0.005 it weighs less by `small`.
+  struct Most {
+    double miss = 0;
+    std::size_t where = 0;
+  };
+  [[nodiscard]] Most of(const Knots& knots, double small) const {
+    std::vector<double> ku, kF, ka;
+    for (const std::size_t i : knots) ku.push_back(u[i]), kF.push_back(F[i]), ka.push_back(a[i]);
+    const law::MonotoneCurve force(ku, kF), radius(ku, ka);
+    Most most;
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      const double miss = std::max(std::abs(force.value(u[i]) - F[i]) / force_wanted,
+                                   std::abs(radius.value(u[i]) - a[i]) / radius_wanted) /
+                          (x[i] < 0.005 ? small : 1);
+      if (miss > most.miss) most = {miss, i};
+    }
+    return most;
+  }
+};
+
+/// The knots that the curve needs beside the `first`: one more where the law misses it most. Where they are
+/// too few for its ripple, that one takes the place of one which is missed less.
+Knots grown_from(const Knots& first, const Missed& missed, double small) {
+  Knots knots = first;
+  auto now = missed.of(knots, small);
+  while (now.miss > 1 && knots.size() < std::min(missed.x.size(), law::PressedMaterial::most_knots)) {
+    knots.insert(now.where);
+    now = missed.of(knots, small);
+  }
+  while (now.miss > 1) {
+    Knots more = knots, best;
+    more.insert(now.where);
+    auto least = now;
+    for (const std::size_t k : knots) {
+      if (first.contains(k)) continue;
+      Knots without = more;
+      without.erase(k);
+      if (const auto most = missed.of(without, small); most.miss < least.miss)
+        least = most, best = std::move(without);
+    }
+    if (best.empty()) break;
+    knots = std::move(best), now = least;
+  }
+  return knots;
+}
+
+Knots choose_knots(const Points& p, const UnloadingFits& unloading) {
+  const Missed missed(p);
   const std::size_t n = p.x.size();
-  std::vector<double> u, F, a;
-  for (std::size_t i = 0; i < n; ++i)
-    u.push_back(std::log(p.x[i])), F.push_back(std::log(p.F[i])), a.push_back(std::log(p.a[i]));
-  std::set<std::size_t> first;
+  Knots first;
   for (std::size_t k = 0; k < 6; ++k) first.insert(k * (n - 1) / 5);
   for (const auto& f : unloading.fits) // there unloading is known
     first.insert(std::min<std::size_t>(
         n - 1, static_cast<std::size_t>(
                    std::lower_bound(p.x.begin(), p.x.end(), f.delta_bar_max * (1 - 1e-9)) - p.x.begin())));
-  std::set<std::size_t> best;
-  double least = law::infinity;
-  for (const double small : {1.0, 2.0, 5.0})
-    for (auto knots = first;;) {
-      std::vector<double> ku, kF, ka;
-      for (const std::size_t i : knots) ku.push_back(u[i]), kF.push_back(F[i]), ka.push_back(a[i]);
-      const law::MonotoneCurve force(ku, kF), radius(ku, ka);
-      double worst = 1, of_others = 0;
-      std::size_t where = n;
-      for (std::size_t i = 0; i < n; ++i) {
-        if (knots.contains(i)) continue;
-        const double miss = std::max(std::abs(force.value(u[i]) - F[i]) / force_wanted,
-                                     std::abs(radius.value(u[i]) - a[i]) / radius_wanted);
-        if (p.x[i] >= 0.005) of_others = std::max(of_others, miss);
-        const double weighed = p.x[i] >= 0.005 ? miss : miss / small;
-        if (weighed > worst) worst = weighed, where = i;
-      }
-      if (where == n && small == 1) return knots;
-      if (where == n || knots.size() >= std::min(n, law::PressedMaterial::most_knots)) {
-        if (of_others < least) least = of_others, best = std::move(knots);
-        break;
-      }
-      knots.insert(where);
-    }
+  Knots best = grown_from(first, missed, 1);
+  if (missed.of(best, 1).miss <= 1) return best;
+  // Too few: small overlaps may be missed by more, if that helps the others.
+  for (const double small : {2.0, 5.0}) {
+    Knots knots = grown_from(first, missed, small);
+    if (missed.of(knots, law::infinity).miss < missed.of(best, law::infinity).miss) best = std::move(knots);
+  }
   return best;
 }
 
