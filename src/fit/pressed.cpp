@@ -108,7 +108,8 @@ Knots grown_from(const Knots& first, const Missed& missed, double small) {
     knots.insert(now.where);
     now = missed.of(knots, small);
   }
-  while (now.miss > 1) {
+  const int exchanges = missed.x.size() <= 1000 ? 40 : 0; // of more rows each takes long
+  for (int i = 0; i < exchanges && now.miss > 1; ++i) {
     Knots more = knots, best;
     more.insert(now.where);
     auto least = now;
